@@ -5,13 +5,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/files.h"
 #include "core/text.h"
 #include "core/work_folder.h"
 #include "export/formats.h"
 #include "render/process.h"
+#include "studio/answers.h"
 #include "studio/carry.h"
 
 namespace frond {
@@ -54,8 +54,7 @@ Result<fs::path> export_doc(const Documents& documents, const fs::path& home, co
   WorkFolder work;
   fs::path copy = work.path() / (name + ".json"), log = work.path() / "log";
   if (Result<bool> written = write_file(copy, *text); !written) return written.errors();
-  const Film& film = preset->film;
-  int frame = std::clamp(static_cast<int>(std::lround(time * film.fps)) + 1, 1, film.frames);
+  int frame = frame_at(preset->film, time);
   int told = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
   Command command;
   command.words = {own_program().string(), "export", copy.string(), "--out", path->string(), "--quiet"};

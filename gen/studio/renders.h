@@ -37,6 +37,7 @@ class Renders {
   std::shared_ptr<Job> find(const std::string& id);
   void work(Job& job);
   Errors make(Job& job);
+  void clear(Job& job);
   Errors write(Job& job);
   Errors render(Job& job, std::array<int, 2> size, std::string_view flags, const std::string& name);
   void show_traced(Job& job, const std::filesystem::path& notes, std::array<int, 2> size);

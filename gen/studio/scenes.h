@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -93,8 +94,15 @@ class Scenes {
   std::shared_ptr<const Built> find(const std::string& key);
   Result<std::shared_ptr<const Built>> build(const std::string& key, Preset preset, const Watch& watch,
                                              const Hurry& hurry);
-  /// Where growing what is new takes longer than that many seconds, or more than the machine has.
-  Result<Json> estimate(const Preset& preset, const EntryFilter& only, double seconds);
+  /// What is not to be grown unasked: seconds until it is there, and nodes, which are sent and drawn then.
+  struct Bearable {
+    double seconds = kAny, nodes = kAny;
+    static constexpr double kAny = std::numeric_limits<double>::infinity();
+  };
+  static Bearable bearable(const Json& question);
+  /// What growing what is new takes where that is not bearable, else null; an error where it is more than
+  /// the machine has.
+  Result<Json> estimate(const Preset& preset, const EntryFilter& only, const Bearable& most);
 
   /// What `make` makes of the scene of a question at its time: kept, as a tool asks again and again.
   template <class T, class Make>

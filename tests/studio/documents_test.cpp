@@ -59,6 +59,27 @@ TEST_F(DocumentsTest, ReadsNothingOutsideOfItsFolders) {
   EXPECT_EQ(preset.errors().front().text().find("mine"), std::string::npos);
 }
 
+TEST_F(DocumentsTest, NoNameEndsBeforeItsEnding) {
+  Documents d = documents();
+  Json saved;
+  const std::string nul(1, '\0');
+  for (const std::string& file : {".bashrc" + nul + ".json", (folder_ / "own/b").string() + nul + "/c.json"}) {
+    auto refusal = d.save(file, doc("{}"), "", true, saved);
+    ASSERT_TRUE(refusal) << file;
+    EXPECT_EQ(refusal->status, 403);
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "own/.bashrc"));
+  EXPECT_FALSE(fs::exists(folder_ / "own/b"));
+  EXPECT_FALSE(d.readable((folder_ / "own/a.json").string() + nul));
+  // Nor is a link a way round.
+  fs::create_symlink(folder_ / "own/.profile", folder_ / "own/link.json");
+  EXPECT_TRUE(d.save("link.json", doc("{}"), "", true, saved));
+  EXPECT_FALSE(fs::exists(folder_ / "own/.profile"));
+  // Files that presets name are read by the same rule.
+  EXPECT_FALSE(read_file((folder_ / "own/a.json").string() + nul + ".png").ok());
+  EXPECT_FALSE(write_file((folder_ / "own/c").string() + nul + ".png", "x").ok());
+}
+
 TEST_F(DocumentsTest, SavesWhereItMayAndNotOverWhatOthersWrote) {
   Documents d = documents();
   Json saved;
@@ -117,7 +138,7 @@ TEST_F(DocumentsTest, ManyMayBeSavedAtOnce) {
     threads.emplace_back([&, i] {
       Json saved;
       EXPECT_FALSE(documents().save("b.json", doc("[" + std::to_string(i) + "]"), "", true, saved));
-      EXPECT_FALSE(documents().add_file("stone.obj", ".obj", "v 0 0 " + std::to_string(i), saved));
+      EXPECT_FALSE(documents().add_file("stone.obj", ".obj", "v 0 0 " + std::to_string(i), "", saved));
     });
   for (std::thread& thread : threads) thread.join();
   std::set<std::string> stones;
@@ -168,12 +189,12 @@ TEST_F(DocumentsTest, MostShippedPresetsHaveAPictureInTheGallery) {
 TEST_F(DocumentsTest, AMeshGetsAPlainNameOfItsOwn) {
   Documents d = documents();
   Json saved;
-  EXPECT_FALSE(d.add_file("../../my rock!.obj", ".obj", "v 0 0 0", saved));
+  EXPECT_FALSE(d.add_file("../../my rock!.obj", ".obj", "v 0 0 0", "", saved));
   EXPECT_EQ(saved["file"], "my_rock_.obj");
   EXPECT_TRUE(fs::exists(folder_ / "own/my_rock_.obj"));
-  EXPECT_FALSE(d.add_file("my rock!.obj", ".obj", "v 0 0 0", saved));  // the same once
+  EXPECT_FALSE(d.add_file("my rock!.obj", ".obj", "v 0 0 0", "", saved));  // the same once
   EXPECT_EQ(saved["file"], "my_rock_.obj");
-  EXPECT_FALSE(d.add_file("my rock!.obj", ".obj", "v 1 0 0", saved));
+  EXPECT_FALSE(d.add_file("my rock!.obj", ".obj", "v 1 0 0", "", saved));
   EXPECT_EQ(saved["file"], "my_rock_-2.obj");
 }
 

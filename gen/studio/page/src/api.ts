@@ -206,8 +206,9 @@ export interface SceneRequest {
   have: string[];
   solo: number[] | null;
   hide: number[];
-  /** Ask the person where it would take longer than so many seconds; null: never. */
+  /** Ask the person where it would take longer than so many seconds, or be more nodes; null: never. */
   ask: number | null;
+  most?: number;
   /** Of what is not grown yet, just these organisms: the others are `missing` in the answer. */
   only?: number[];
   /** These roughly, in about this share of the time, 0..1. */
@@ -240,6 +241,28 @@ export async function derive(doc: Doc, entry: number, steps: number | null): Pro
   if (answer.status === 422) return ((await answer.json()) as { errors: Fault[] }).errors;
   if (!answer.ok) await refuse(answer);
   return (await answer.json()) as Derived;
+}
+
+/** The files that a grammar stands in, as seen from its folder, and of a model of cpfg its word. */
+export interface GrammarFiles {
+  /** Null: what is no text. */
+  files: { name: string; text: string | null }[];
+  steps: number;
+  /** How many the model makes by itself. */
+  of: number;
+  word: string | null;
+  length: number | null;
+  counts: Record<string, number>;
+  notes: string[];
+  errors: Fault[];
+}
+export const grammarFiles = (file: string, steps: number | null): Promise<GrammarFiles> => json("POST", "/api/grammar", { file, steps });
+/** Writes the grammar anew, with another text of one of its files, beside the presets; what is wrong with it where it cannot be read so. */
+export async function changeGrammar(file: string, name: string, text: string, of: string): Promise<{ file: string; path: string } | Fault[]> {
+  const answer = await call("POST", "/api/grammar/change", { file, name, text, of });
+  if (answer.status === 422) return ((await answer.json()) as { errors: Fault[] }).errors;
+  if (!answer.ok) await refuse(answer);
+  return (await answer.json()) as { file: string; path: string };
 }
 
 /** A branch of an organism as it stands at a time, with the address of the place on it that was meant. */
@@ -323,10 +346,10 @@ export async function save(file: string, doc: Doc, disk: string | null, overwrit
 }
 
 /** Puts an OBJ file beside the presets; answers the name to write into an organism of kind "mesh". */
-export const mesh = (name: string, file: Blob): Promise<{ file: string }> => json("POST", `/api/mesh?name=${encodeURIComponent(name)}`, file);
+export const mesh = (name: string, file: Blob, of: string): Promise<{ file: string }> => json("POST", `/api/mesh?name=${encodeURIComponent(name)}&of=${encodeURIComponent(of)}`, file);
 
 /** Puts a PNG beside the presets; answers the name to write into a property that names one. */
-export const painted = (name: string, file: Blob): Promise<{ file: string; path: string }> => json("POST", `/api/painted?name=${encodeURIComponent(name)}`, file);
+export const painted = (name: string, file: Blob, of: string): Promise<{ file: string; path: string }> => json("POST", `/api/painted?name=${encodeURIComponent(name)}&of=${encodeURIComponent(of)}`, file);
 /** That of a picture that a preset names. */
 export const paintedAddress = (file: string): string => `${withToken("/api/painted")}&file=${encodeURIComponent(file)}`;
 

@@ -80,7 +80,7 @@ async function addMesh(store: Store, file: File, at: [number, number] = [0, 0]):
   if (!/\.obj$/i.test(file.name)) return say(`${file.name} is no OBJ file.`, true);
   if (file.size > 32e6) return say(`${file.name} is larger than 32 MB.`, true);
   try {
-    const answer = await api.mesh(file.name, file);
+    const answer = await api.mesh(file.name, file, store.file);
     store.addOrganism({ kind: "mesh", name: file.name.replace(/\.obj$/i, ""), file: answer.file, place: { at: [at], size_variation: 0, turn_variation: 0, lean: 0 } });
     say(`${file.name} stands in the scene. Ivy climbs it.`);
   } catch (error) {

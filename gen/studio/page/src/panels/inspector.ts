@@ -5,6 +5,7 @@ import type { Control } from "../controls/control";
 import { fieldsOf, Section, type Member } from "../controls/group";
 import type { Vary } from "../controls/row";
 import { el, icon, quiet } from "../dom";
+import { grammarFileOf } from "../grammar_file";
 import type { Path } from "../pointer";
 import type { Store } from "../store";
 import { spelled } from "../schema";
@@ -43,7 +44,7 @@ export function inspector(store: Store, acts: InspectorActs): HTMLElement {
   const refresh = (): void => controls.forEach((c) => c.refresh());
   const update = (): void => {
     const { selected, preset } = store;
-    const shape = typeof selected === "number" ? `${selected} ${preset.kindOf(selected)}` : `${selected} ${selected === "all" ? [...new Set(store.kinds)].join() : selected === "scene" ? settingOf(store) : ""}`;
+    const shape = typeof selected === "number" ? `${selected} ${preset.kindOf(selected)} ${grammarFileOf(store, selected) !== null}` : `${selected} ${selected === "all" ? [...new Set(store.kinds)].join() : selected === "scene" ? settingOf(store) : ""}`;
     if (shape === built) {
       if (typeof selected === "number") title.textContent = headOf(store, selected);
       return refresh();
