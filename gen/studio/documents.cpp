@@ -227,7 +227,8 @@ std::optional<Refusal> Documents::save(const std::string& file, const Doc& doc, 
 }
 
 bool Documents::reaches(const fs::path& of) const {
-  return !lies_below(of, presets_) || lies_below(presets_, folder_);
+  std::optional<fs::path> real = without_links(of);
+  return !real || of.empty() || !lies_below(*real, presets_) || lies_below(presets_, folder_);
 }
 
 std::optional<Refusal> Documents::add_file(const std::string& name, const char* type,

@@ -5,7 +5,7 @@ import path from 'node:path';
 import {after, before, test} from 'node:test';
 import {browse, changed, parts, preset, scratch, shown, start, visit} from './studio.mjs';
 
-for (const name of ['lilac.l', 'lilac.v']) fs.copyFileSync(path.join('presets/lsystems', name), path.join(scratch, name));
+for (const name of ['lilac.l', 'lilac.v', 'lilac_petal.s', 'heart_leaf.s', 'growth.fset', 'plants.map']) fs.copyFileSync(path.join('presets/lsystems', name), path.join(scratch, name));
 const TEXT = `{
   "film": {"frames": 1, "size": [160, 120]},
   "scene": {"setting": "studio", "camera": {"location": [0, 0.9, 3.5], "look_at": [0, 0.8, 0], "angle": 40}},

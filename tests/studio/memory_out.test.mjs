@@ -18,7 +18,7 @@ before(async () => {
 /** How much address space the server may have; 0: any. */
 const allow = megabytes => {
   const taken = Number(/VmSize:\s+(\d+) kB/.exec(fs.readFileSync(`/proc/${studio.process.pid}/status`, 'utf8'))[1]);
-  execFileSync('prlimit', ['--pid', String(studio.process.pid), `--as=${megabytes ? taken * 1024 + megabytes * 2 ** 20 : 'unlimited'}`]);
+  execFileSync('prlimit', ['--pid', String(studio.process.pid), `--as=${megabytes ? taken * 1024 + megabytes * 2 ** 20 : 'unlimited'}:`]);
 };
 
 async function render(text) {

@@ -17,12 +17,13 @@ export function dialog(title: string, fill: (close: (answer: string | null) => v
     // While Enter is down it would press what gets the focus next.
     let entering = false;
     const close = (answer: string | null): void => {
-      box.close();
+      const back = (): void => void (before?.isConnected && before.focus());
+      // Closing would give the focus back at once, which taking it out does not.
+      if (entering) addEventListener("keyup", back, { once: true });
+      else box.close();
       box.remove();
       resolve(answer);
-      const back = (): void => void (before?.isConnected && before.focus());
-      if (entering) addEventListener("keyup", back, { once: true });
-      else back();
+      if (!entering) back();
     };
     box.addEventListener("keydown", (event) => {
       entering = event.key === "Enter";
