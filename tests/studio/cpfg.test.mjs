@@ -20,7 +20,8 @@ before(async () => {
   await shown(page);
 });
 after(async () => {
-  assert.deepEqual(page.faults, []);
+  // That a text cannot be read is 422, which browsers tell of on their consoles.
+  assert.deepEqual(page.faults.filter(fault => !/status of 422.*grammar\/change/.test(fault)), []);
   await studio.stop();
 });
 
