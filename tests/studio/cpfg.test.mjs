@@ -63,5 +63,6 @@ test('tiles of the wall show the flowers that the chosen one has', async () => {
     return count;
   }));
   console.log(`pixels of flowers: ${flowers.join(', ')}`);
-  for (const count of flowers) assert.ok(count > 20, flowers.join());
+  // Drawn as while something moves they have 850 to 1,450.
+  for (const count of flowers) assert.ok(count > 1500, flowers.join());
 });
