@@ -84,8 +84,11 @@ int frame_at(const Film& film, double time) {
 
 std::array<int, 2> size_in(const Json& question) {
   const Json& size = question.at("size");
-  if (!size.is_array() || size.size() != 2) throw WrongQuestion("size: expected a width and a height in pixels");
-  auto side = [&](std::size_t i) { return static_cast<int>(whole_number(size[i], "size", kSmallest, kLargest)); };
+  if (!size.is_array() || size.size() != 2)
+    throw WrongQuestion("size: expected a width and a height in pixels");
+  auto side = [&](std::size_t i) {
+    return static_cast<int>(whole_number(size[i], "size", kSmallest, kLargest));
+  };
   return {side(0), side(1)};
 }
 

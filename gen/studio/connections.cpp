@@ -294,7 +294,8 @@ void Connections::answer(Connection connection) {
     std::lock_guard lock(in_work_);
     return !crew.waiting.empty();
   };
-  Wire wire(connection.socket, std::move(connection.come), {limits.patience, limits.hurried, end}, others_wait);
+  Wire wire(connection.socket, std::move(connection.come), {limits.patience, limits.hurried, end},
+            others_wait);
   bool fine = false, closed = false, refused = false;
   try {
     fine = process_request(wire, false, closed, [&](httplib::Request& request) {

@@ -19,7 +19,8 @@ namespace {
 
 constexpr std::uintmax_t kLargestFile = 8 << 20;  // bytes of a preset's file
 constexpr const char* kSaveFirst =
-    "save the preset under a name of your own first: what is written lies beside it, where one that is shipped "
+    "save the preset under a name of your own first: what is written lies beside it, where one that is "
+    "shipped "
     "does not look";
 
 std::optional<fs::path> without_links(const fs::path& path) {

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kShownLetters = 4000;   // characters
+constexpr std::size_t kShownLetters = 4000;  // characters
 constexpr std::size_t kMostShown = 1 << 20;  // bytes of a file that is shown
 constexpr int kMostFolders = 1000;
 constexpr const char* kCommandLine = "specifications";  // of cpfg, for a model
@@ -36,7 +36,8 @@ std::string name_in(const fs::path& file, const fs::path& folder) {
 /// What a file of a grammar holds; null of what is no text.
 Json text_json(const fs::path& file) {
   Result<std::string> text = read_file(file);
-  if (!text || text->size() > kMostShown || invalid_utf8(*text) || text->find('\0') != text->npos) return nullptr;
+  if (!text || text->size() > kMostShown || invalid_utf8(*text) || text->find('\0') != text->npos)
+    return nullptr;
   return *text;
 }
 
@@ -68,7 +69,8 @@ Errors add_word(const CpfgModel& model, const Json& question, Json& answer) {
   const int last = film_of(model, model.steps).last;
   const bool asked = question.contains("steps") && question["steps"].is_number();
   CpfgRequest request;
-  request.steps = asked ? static_cast<int>(whole_number(question["steps"], "steps", 0, kShownLimits.steps)) : last;
+  request.steps =
+      asked ? static_cast<int>(whole_number(question["steps"], "steps", 0, kShownLimits.steps)) : last;
   request.limits = kShownLimits;
   answer["of"] = last, answer["steps"] = *request.steps;
   for (const std::string& note : model.notes) answer["notes"].push_back(note);
@@ -155,9 +157,14 @@ Answer grammar_files(const Documents& documents, const Json& question) {
   std::optional<fs::path> grammar = grammar_of(documents, question);
   if (!grammar) return {403, {{"error", "no such grammar may be read"}}, {}};
   const fs::path folder = grammar->parent_path();
-  Json answer{{"files", Json::array()},  {"steps", 0},      {"of", 0},
-              {"word", nullptr},         {"length", nullptr}, {"counts", Json::object()},
-              {"notes", Json::array()},  {"errors", Json::array()}};
+  Json answer{{"files", Json::array()},
+              {"steps", 0},
+              {"of", 0},
+              {"word", nullptr},
+              {"length", nullptr},
+              {"counts", Json::object()},
+              {"notes", Json::array()},
+              {"errors", Json::array()}};
   for (const fs::path& file : files_of_grammar(*grammar))
     answer["files"].push_back({{"name", name_in(file, folder)}, {"text", text_json(file)}});
   Errors errors;
@@ -178,7 +185,8 @@ Answer changed_grammar(const Documents& documents, const Json& question) {
       {question.at("name").get<std::string>(), question.at("text").get<std::string>()}};
   const fs::path folder = grammar->parent_path();
   const std::vector<fs::path> files = files_of_grammar(*grammar);
-  if (std::ranges::none_of(files, [&](const fs::path& file) { return texts.contains(name_in(file, folder)); }))
+  if (std::ranges::none_of(files,
+                           [&](const fs::path& file) { return texts.contains(name_in(file, folder)); }))
     return {400, {{"error", "the grammar has no such file"}}, {}};
   // It is tried where nobody else sees it.
   WorkFolder tried;

@@ -216,8 +216,7 @@ Errors Renders::make(Job& job) {
     if (errors.empty() && !job.cancelled)
       errors = render(job, job.size, povray_flags(job.quality, job.lens), name);
     std::error_code error;
-    if (errors.empty())
-      fs::rename(job.folder / "frames" / (name + ".png"), job.folder / kPicture, error);
+    if (errors.empty()) fs::rename(job.folder / "frames" / (name + ".png"), job.folder / kPicture, error);
   }
   return errors;
 }

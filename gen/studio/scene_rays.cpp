@@ -51,8 +51,7 @@ Answer Scenes::pick(const Doc& doc, const Json& question) {
     return Result(std::shared_ptr<const PosedScene>(held, &held->second));
   });
   if (!stands) return wrong(stands.errors());
-  if (address)
-    return {200, picked_at(**stands, entry.value_or(0), plant, **address), {}};
+  if (address) return {200, picked_at(**stands, entry.value_or(0), plant, **address), {}};
   return {200, picked(**stands, point("from"), point("to"), entry), {}};
 }
 

@@ -36,8 +36,8 @@ constexpr int kLookWide = 360;           // pixels, of a card's picture
 constexpr int kMomentWide = 160;         // pixels, of a moment of a film
 constexpr double kLongestLook = 8;       // seconds of growing for that
 constexpr std::size_t kWorthTidying = std::size_t{128} << 20;
-constexpr std::size_t kShownWord = 4000;    // characters
-constexpr double kLongestWord = 3e6;        // modules
+constexpr std::size_t kShownWord = 4000;  // characters
+constexpr double kLongestWord = 3e6;      // modules
 constexpr std::int64_t kMostSteps = 1'000'000;
 constexpr double kMostLines = 3e4;          // of a drawing of the turtle
 constexpr std::size_t kLargestTree = 2000;  // modules, see derivation_tree_svg()
@@ -307,7 +307,8 @@ Answer Scenes::derive(const Doc& doc, const Json& question) const {
   if (!*grammar) return wrong(grammar->errors());
   const Grammar& rules = **grammar;
   bool asked = question.contains("steps") && question["steps"].is_number();
-  int steps = asked ? static_cast<int>(whole_number(question["steps"], "steps", 0, kMostSteps)) : rules.text.steps;
+  int steps =
+      asked ? static_cast<int>(whole_number(question["steps"], "steps", 0, kMostSteps)) : rules.text.steps;
   Seed seed{rules.text.seed};
   Forecast size = forecast(rules, steps, seed, rules.text.limits);
   Json answer{{"steps", steps},

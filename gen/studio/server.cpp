@@ -290,7 +290,8 @@ class Server {
       send(response, scenes_.derive(doc, question));
     });
     using Act = Answer (*)(const Documents&, const Json&);
-    for (auto [path, act] : {std::pair<const char*, Act>("/api/grammar", grammar_files), {"/api/grammar/change", changed_grammar}})
+    for (auto [path, act] : {std::pair<const char*, Act>("/api/grammar", grammar_files),
+                             {"/api/grammar/change", changed_grammar}})
       post(path, [this, act](const Request&, Response& response, const Json& question, Doc) {
         send(response, act(documents_, question));
       });
@@ -315,8 +316,7 @@ class Server {
       send(response, 200, {{"id", *id}});
     });
     post("/api/export", [this](const Request&, Response& response, const Json& question, Doc doc) {
-      auto path =
-          export_doc(documents_, options_.home, doc, time_in(question), question.at("type"));
+      auto path = export_doc(documents_, options_.home, doc, time_in(question), question.at("type"));
       if (!path) return send(response, 422, {{"errors", errors_json(path.errors())}});
       send(response, 200, {{"file", path->string()}});
     });

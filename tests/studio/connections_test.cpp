@@ -39,9 +39,9 @@ class ConnectionsTest : public testing::Test {
       response.set_content(std::string(64 << 20, 'x'), "text/plain");
     });
     server_.Get("/broken", [](const httplib::Request&, httplib::Response& response) {
-      response.set_content_provider(100, "text/plain", [](std::size_t, std::size_t, httplib::DataSink&) -> bool {
-        throw std::bad_alloc();
-      });
+      response.set_content_provider(
+          100, "text/plain",
+          [](std::size_t, std::size_t, httplib::DataSink&) -> bool { throw std::bad_alloc(); });
     });
     port_ = server_.bind_to_any_port("127.0.0.1");
     ASSERT_GT(port_, 0);

@@ -63,7 +63,8 @@ TEST_F(DocumentsTest, NoNameEndsBeforeItsEnding) {
   Documents d = documents();
   Json saved;
   const std::string nul(1, '\0');
-  for (const std::string& file : {".bashrc" + nul + ".json", (folder_ / "own/b").string() + nul + "/c.json"}) {
+  for (const std::string& file :
+       {".bashrc" + nul + ".json", (folder_ / "own/b").string() + nul + "/c.json"}) {
     auto refusal = d.save(file, doc("{}"), "", true, saved);
     ASSERT_TRUE(refusal) << file;
     EXPECT_EQ(refusal->status, 403);

@@ -65,7 +65,8 @@ TEST_F(GrammarFilesTest, AnEditedModelIsWrittenBesideThePresetAndTheFormerStays)
 }
 
 TEST_F(GrammarFilesTest, AModelThatCannotBeReadIsToldWithItsLineAndNotWritten) {
-  Json question{{"file", lilac_.string()}, {"name", "lilac.l"}, {"text", "Lsystem: 1\naxiom: A(\nendlsystem\n"}};
+  Json question{
+      {"file", lilac_.string()}, {"name", "lilac.l"}, {"text", "Lsystem: 1\naxiom: A(\nendlsystem\n"}};
   Answer answer = changed_grammar(documents(), question);
   EXPECT_EQ(answer.status, 422);
   EXPECT_TRUE(answer.json["errors"][0]["where"].get<std::string>().starts_with("lilac.l")) << answer.json;
