@@ -40,8 +40,6 @@ class Compiler {
     read_rules(grammar_.text.rules, grammar_.rules, "rule");
     read_rules(grammar_.text.decomposition, grammar_.decomposition, "decomposition rule");
     read_rules(grammar_.text.interpretation, grammar_.interpretation, "interpretation rule");
-    for (const RuleSet* set : {&grammar_.rules, &grammar_.decomposition, &grammar_.interpretation})
-      find_shadowed(*set, errors_);
     keep_drawn_brackets();
     check_interpretation();
     read_visibility();
@@ -51,6 +49,9 @@ class Compiler {
     grammar_.making.resize(grammar_.symbols.size());
     summarize();
     grammar_.warnings = find_idle(grammar_);
+    for (const RuleSet* set : {&grammar_.rules, &grammar_.decomposition, &grammar_.interpretation})
+      find_shadowed(*set, grammar_.warnings);
+    grammar_.warnings.insert(grammar_.warnings.end(), unreached_.begin(), unreached_.end());
     return std::move(grammar_);
   }
 
@@ -344,9 +345,10 @@ class Compiler {
       for (const std::vector<SymbolId>* side : {&rule.left, &rule.right})
         for (SymbolId id : *side)
           if (!grammar_.symbols[id].context && id != grammar_.open && id != grammar_.close)
-            errors_.push_back({rule.where, fmt::format("`{}` can never be used: its context has `{}`, which "
-                                                       "contexts look past; change `ignore` or the rule",
-                                                       rule.text, grammar_.symbols[id].name)});
+            unreached_.push_back(
+                {rule.where, fmt::format("`{}` can never be used: its context has `{}`, which "
+                                         "contexts look past; change `ignore` or the rule",
+                                         rule.text, grammar_.symbols[id].name)});
   }
 
   void read_guide() {
@@ -390,6 +392,7 @@ class Compiler {
   Grammar grammar_;
   ModuleReader modules_;
   Errors errors_;
+  Errors unreached_;  // rules whose contexts are looked past: notes
 };
 
 }  // namespace

@@ -80,7 +80,7 @@ std::optional<Error> other_arity(const Grammar& grammar, std::size_t symbol) {
 
 }  // namespace
 
-void find_shadowed(const RuleSet& set, Errors& errors) {
+void find_shadowed(const RuleSet& set, Errors& notes) {
   for (const auto& of : set.of) {
     for (std::size_t later = 1; later < of.size(); ++later) {
       const Production& hidden = set.rules[of[later]];
@@ -90,7 +90,7 @@ void find_shadowed(const RuleSet& set, Errors& errors) {
         bool certain = !first.conditional && first.limit == GrammarText::kUnlimited &&
                        !(first.weighted && hidden.weighted);
         if (!wider || !certain) continue;
-        errors.push_back(
+        notes.push_back(
             {hidden.where, fmt::format("`{}` can never be used: `{}` ({}) comes first and always matches; "
                                        "put it before, give both a weight, or remove it",
                                        hidden.text, first.text, first.where)});

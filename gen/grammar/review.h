@@ -4,8 +4,8 @@
 
 namespace frond {
 
-/// Rules that an earlier one always takes the place of: they can never be meant.
-void find_shadowed(const RuleSet& set, Errors& errors);
+/// Rules that an earlier one always takes the place of. They do nothing, and nothing is wrong without them: notes.
+void find_shadowed(const RuleSet& set, Errors& notes);
 
 /// Decomposition rules that may never end: for any random choice and any condition, their results are
 /// decomposed again. Names one of them.

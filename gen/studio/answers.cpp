@@ -1,6 +1,7 @@
 #include "studio/answers.h"
 
 #include "core/content.h"
+#include "grammar/symbols.h"
 
 namespace frond {
 
@@ -18,6 +19,13 @@ std::set<std::size_t> numbers(const Json& question, const char* name) {
     for (const Json& value : question[name])
       if (value.is_number_unsigned()) set.insert(value.get<std::size_t>());
   return set;
+}
+
+Json symbols_json() {
+  Json symbols = Json::array();
+  for (const TurtleSymbol& symbol : turtle_symbols())
+    symbols.push_back({{"symbol", symbol.name}, {"doc", symbol.doc}});
+  return symbols;
 }
 
 }  // namespace frond

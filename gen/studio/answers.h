@@ -23,4 +23,7 @@ std::string key_of(const Doc& doc, const Preset& preset);
 /// The whole numbers of a list of a question; none where there is no such list.
 std::set<std::size_t> numbers(const Json& question, const char* name);
 
+/// `[{"symbol", "doc"}, …]` of all symbols of the turtle.
+Json symbols_json();
+
 }  // namespace frond

@@ -81,8 +81,7 @@ std::optional<std::string> title_of(const fs::path& file) {
 }  // namespace
 
 Documents::Documents(const StudioOptions& options)
-    : presets_(*without_links(options.home / "presets")),
-      gallery_(*without_links(options.home / "docs/gallery")) {
+    : presets_(*without_links(options.home / "presets")), docs_(*without_links(options.home / "docs")) {
   if (options.preset) preset_ = without_links(*options.preset);
   folder_ = preset_ ? preset_->parent_path() : *without_links(".");
   if (options.assets) assets_ = without_links(*options.assets);
@@ -100,7 +99,7 @@ Json Documents::shipped() const {
     if (file.extension() != ".json") continue;
     std::optional<std::string> title = title_of(file);
     if (!title) continue;
-    std::optional<std::string> picture = picture_of(gallery_, file.lexically_relative(presets_));
+    std::optional<std::string> picture = picture_of(docs_ / "gallery", file.lexically_relative(presets_));
     list.push_back({{"file", file.string()},
                     {"name", file.lexically_relative(presets_).replace_extension().string()},
                     {"title", *title},
@@ -165,10 +164,20 @@ Result<Json> Documents::read(const std::string& file) const {
               {"copy", !own}};
 }
 
-Result<std::string> Documents::gallery_picture(const std::string& name) const {
-  if (name.find('/') != name.npos || !name.ends_with(".jpg"))
-    return Error{name, "is no picture of the gallery"};
-  return read_file(gallery_ / name);
+Result<std::string> Documents::leaf(const std::string& shelf, const std::string& name) const {
+  bool is_page = shelf == "docs";
+  fs::path folder = is_page ? docs_ : docs_ / (shelf == "strip" ? "kinds/pictures" : "gallery");
+  std::optional<fs::path> path = without_links(folder / name);
+  if (!path || !lies_below(*path, folder) || path->extension() != (is_page ? ".md" : ".jpg"))
+    return Error{name, "is not there"};
+  return read_file(*path);
+}
+
+Json Documents::strips() const {
+  Json names = Json::array();
+  for (const fs::path& file : files_in(docs_ / "kinds/pictures"))
+    if (file.extension() == ".jpg") names.push_back(file.stem().string());
+  return names;
 }
 
 Result<Preset> Documents::preset(const Doc& doc, const std::vector<std::string>& sets) const {

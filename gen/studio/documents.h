@@ -43,8 +43,11 @@ class Documents {
   std::string disk(const std::string& file) const;
   /// The presets in the folders that may be written, those first that were written last.
   Json own() const;
-  /// The picture of a shipped preset.
-  Result<std::string> gallery_picture(const std::string& name) const;
+  /// A file of the documentation: of the shelf "gallery" the picture of a shipped preset, of "strip" that of
+  /// a property, of "docs" a page, "presets.md" or "kinds/tree.md".
+  Result<std::string> leaf(const std::string& shelf, const std::string& name) const;
+  /// The properties of which there are pictures, each three in a row: `["tree-habit-droop", …]`.
+  Json strips() const;
 
   /// Reads a preset; files that it names only from where it may.
   Result<Preset> preset(const Doc& doc, const std::vector<std::string>& sets = {}) const;
@@ -61,7 +64,7 @@ class Documents {
   /// Where a file that the page names is to be written; empty where it may not be.
   std::optional<std::filesystem::path> writable(const std::string& file) const;
 
-  std::filesystem::path presets_, gallery_, folder_;
+  std::filesystem::path presets_, docs_, folder_;
   std::optional<std::filesystem::path> preset_, assets_;
 };
 

@@ -257,6 +257,7 @@ Answer Scenes::view(const Doc& doc, const Json& question, const std::string& nam
   std::string key = key_of(doc, *preset);
   std::shared_ptr<const Built> built = find(key);
   Json grown = Json::array();
+  std::size_t made_bytes = 0;
   Hurry hurry = hurry_of(question);
   if (!built) {
     if (question.contains("ask") && question["ask"].is_number()) {
@@ -271,6 +272,7 @@ Answer Scenes::view(const Doc& doc, const Json& question, const std::string& nam
     if (!made) return wrong(made.errors(), notes);
     built = *made;
     grown = built->scene.grown;
+    made_bytes = built->scene.bytes();  // growing takes as much again, and more, for a while
   }
   double grow = seconds_since(start);
   Json header{{"seconds", {{"grow", grow}}}, {"regrown", grown},  {"missing", built->scene.missing},
@@ -279,7 +281,7 @@ Answer Scenes::view(const Doc& doc, const Json& question, const std::string& nam
   for (const std::string& note : built->scene.notes) header["notes"].push_back(note);
   Result<std::string> packet =
       view_of(built->scene, built->preset, request_of(question), models_, std::move(header));
-  if (packet) tidy_at_times(packet->size());
+  if (packet) tidy_at_times(packet->size() + made_bytes);
   if (given_up()) return stale();
   if (!packet) return wrong(packet.errors(), notes);
   return {200, {}, std::move(*packet)};

@@ -8,8 +8,8 @@
 #include "core/files.h"
 #include "core/machine.h"
 #include "core/parallel.h"
-#include "grammar/symbols.h"
 #include "render/process.h"
+#include "studio/answers.h"
 #include "studio/connections.h"
 #include "studio/exports.h"
 #include "studio/films.h"
@@ -214,16 +214,14 @@ class Server {
            {{"ok", true}, {"started", started_}, {"kept", scenes_.kept()}, {"room", options_.memory}});
     });
     server_.Get("/api/start", [this](const Request&, Response& response) {
-      Json symbols = Json::array();
-      for (const TurtleSymbol& symbol : turtle_symbols())
-        symbols.push_back({{"symbol", symbol.name}, {"doc", symbol.doc}});
       send(response, 200,
            {{"started", started_},
             {"machine", {{"cores", thread_count()}, {"farm", find_program("sbatch").has_value()}}},
             {"schema", Json::parse(preset_schema())},
-            {"symbols", std::move(symbols)},
+            {"symbols", symbols_json()},
             {"preset", documents_.opened()},
-            {"presets", documents_.shipped()}});
+            {"presets", documents_.shipped()},
+            {"strips", documents_.strips()}});
     });
     server_.Get("/api/preset", [this](const Request& request, Response& response) {
       Result<Json> read = documents_.read(request.get_param_value("file"));
@@ -240,8 +238,9 @@ class Server {
       if (!look) return void(response.status = 204);  // a 404 would stand on the browser's console as a fault
       response.set_content(*look, "image/png");
     });
-    server_.Get(R"(/api/gallery/([A-Za-z0-9_.-]+))", [this](const Request& request, Response& response) {
-      send_picture(response, documents_.gallery_picture(request.matches[1]), "image/jpeg");
+    server_.Get(R"(/api/(gallery|strip|docs)/(.+))", [this](const Request& request, Response& response) {
+      const char* type = request.matches[1] == "docs" ? "text/plain; charset=utf-8" : "image/jpeg";
+      send_picture(response, documents_.leaf(request.matches[1].str(), request.matches[2]), type);
     });
     post("/api/save", [this](const Request&, Response& response, const Json& question, Doc doc) {
       std::string file = question.at("file").get<std::string>();

@@ -52,7 +52,10 @@ TEST_F(DocumentsTest, ReadsNothingOutsideOfItsFolders) {
     EXPECT_FALSE(d.readable(file)) << file;
   fs::create_symlink(folder_ / "secret.json", folder_ / "own/link.json");
   EXPECT_FALSE(d.readable((folder_ / "own/link.json").string()));
-  EXPECT_FALSE(d.gallery_picture("../export.md").ok());
+  EXPECT_FALSE(d.leaf("gallery", "../export.md").ok());
+  EXPECT_TRUE(d.leaf("docs", "kinds/tree.md").ok());
+  EXPECT_FALSE(d.leaf("docs", "../README.md").ok());
+  EXPECT_FALSE(d.leaf("docs", "preset.schema.json").ok());
   // Nor do presets: a file that one names is looked for in its folder alone.
   Result<Preset> preset = d.preset({R"({"base": "../secret.json"})", folder_ / "own/a.json"});
   ASSERT_FALSE(preset.ok());

@@ -73,6 +73,11 @@ namespace {
 
 class ColonizedGrower final : public Described<ColonizedParams, LoneGrower> {
  public:
+  static constexpr std::string_view kLeading[] = {
+      "envelope/shape",      "envelope/base", "envelope/height",  "envelope/width",  "envelope/top",
+      "colonize/attractors", "colonize/kill", "colonize/tropism", "colonize/jitter", "thickness/exponent",
+      "leaves/shape",        "leaves/size",   "leaves/colors"};
+
   Errors check() const override {
     Errors errors = check_colonized(params);
     return errors.empty() ? check_pictures(params.dress) : errors;

@@ -225,6 +225,11 @@ namespace {
 
 class IvyGrower final : public Described<IvyParams, Grower> {
  public:
+  static constexpr std::string_view kLeading[] = {"on",           "crawl/max_age",      "crawl/wander",
+                                                  "crawl/bias",   "crawl/branch_every", "crawl/branch_angle",
+                                                  "crawl/radius", "crawl/low",          "crawl/high",
+                                                  "leaves/size",  "leaves/spacing",     "leaves/colors"};
+
   GrowthStage stage() const override { return GrowthStage::creeping; }
   bool stands_on_rock() const override { return false; }
   Errors check() const override {

@@ -44,6 +44,9 @@ namespace {
 
 class MeshGrower final : public Described<MeshParams, BodyBuilder> {
  public:
+  static constexpr std::string_view kLeading[] = {"file",   "size",  "matter",    "color",
+                                                  "second", "scale", "weathering"};
+
   Errors check() const override {
     if (params.file.empty()) return {Error{"/file", "is empty; expected the name of a file"}};
     return {};

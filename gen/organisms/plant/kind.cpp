@@ -190,6 +190,11 @@ Result<SizeEstimate> word_size(const PlantParams& params, Seed seed) {
 
 class PlantGrower final : public Described<PlantParams, LoneGrower> {
  public:
+  static constexpr std::string_view kLeading[] = {
+      "height",    "grammar/steps", "grammar/angle",  "grammar/angle_jitter", "grammar/length_jitter",
+      "stand",     "smoothing",     "thickness/from", "thickness/radius",     "thickness/exponent",
+      "bark/kind", "bark/colors",   "organs"};
+
   Errors check() const override {
     if (params.grammar.cpfg) return cpfg_faults(params);
     if (params.grammar.vary)

@@ -49,6 +49,21 @@ void hurry(TreeParams& tree, double share) {
 /// Trees of a scene grow together, in one light.
 class TreeGrower final : public Described<TreeParams, Grower> {
  public:
+  static constexpr std::string_view kLeading[] = {"years",
+                                                  "habit/height",
+                                                  "habit/internode",
+                                                  "habit/branching_angle",
+                                                  "habit/apical_control",
+                                                  "habit/tropism",
+                                                  "habit/droop",
+                                                  "habit/wander",
+                                                  "habit/shade_tolerance",
+                                                  "habit/clear_trunk",
+                                                  "leaves/kind",
+                                                  "leaves/size",
+                                                  "leaves/colors",
+                                                  "bark/kind"};
+
   GrowthStage stage() const override { return GrowthStage::in_light; }
   bool stands_on_rock() const override { return true; }
   Errors check() const override {

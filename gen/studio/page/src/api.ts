@@ -31,6 +31,8 @@ export interface Start {
   symbols: { symbol: string; doc: string }[];
   preset: Loaded | null;
   presets: Listed[];
+  /** The properties of which there are pictures, as "tree-habit-droop"; not told by an older server. */
+  strips?: string[];
 }
 export interface CostEstimate {
   nodes: number;
@@ -198,6 +200,10 @@ export async function ball(doc: Doc, entry: number, signal?: AbortSignal): Promi
   const answer = await call("POST", "/api/ball", { doc, entry }, signal);
   return answer.status === 200 ? answer.blob() : null;
 }
+/** What a property does: three pictures in a row. */
+export const strip = (name: string): string => withToken(`/api/strip/${encodeURIComponent(name)}.jpg`);
+/** A page of the documentation, as text. */
+export const docs = (name: string): string => withToken(`/api/docs/${encodeURIComponent(name)}`);
 export const galleryPicture = (name: string): string => withToken(`/api/gallery/${encodeURIComponent(name)}`);
 
 export interface SceneRequest {

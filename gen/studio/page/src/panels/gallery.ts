@@ -11,7 +11,7 @@ import { say } from "./dialogs";
 const groupOf = (listed: Listed): string => listed.name.split("/").slice(0, -1).join("/");
 const TITLES: Record<string, string> = { "": "Scenes and single ones", lsystems: "L-systems", trees: "Trees", forest: "Forest", garden: "Garden", ivy: "Ivy", grammars: "Grammars" };
 
-export function gallery(store: Store): { element: HTMLElement; show(): void } {
+export function gallery(store: Store): { element: HTMLElement; show(): void; focus(): void } {
   const search = el<HTMLInputElement>("input.text", { type: "search", placeholder: "Search presets", "aria-label": "Search presets", "data-testid": "gallery-search" });
   const body = el("div.shelves");
   let own: Listed[] = [];
@@ -42,7 +42,7 @@ export function gallery(store: Store): { element: HTMLElement; show(): void } {
   };
   const card = (listed: Listed, isOwn = false): HTMLElement => {
     const picture = pictureOf(listed);
-    return el("li", {}, el("button.card", { type: "button", "data-testid": `${isOwn ? "own" : "card"}:${listed.name}`, click: () => void open(listed.file, isOwn) }, picture, el("span", {}, listed.title || listed.name), el("small", {}, listed.name)));
+    return el("li", {}, el("button.card", { type: "button", "data-testid": `${isOwn ? "own" : "card"}:${listed.name}`, "data-file": listed.file, click: () => void open(listed.file, isOwn) }, picture, el("span", {}, listed.title || listed.name), el("small", {}, listed.name)));
   };
   const render = (): void => {
     looks.stop();
@@ -65,5 +65,7 @@ export function gallery(store: Store): { element: HTMLElement; show(): void } {
     }, () => undefined);
   };
   search.addEventListener("input", render);
-  return { element, show };
+  /** The card that was opened last, else the first thing there is to do. */
+  const focus = (): void => (body.querySelector<HTMLElement>(`[data-file="${CSS.escape(store.file)}"]`) ?? search).focus();
+  return { element, show, focus };
 }

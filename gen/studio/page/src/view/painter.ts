@@ -11,11 +11,16 @@ import { Sky } from "./sky";
 const SLOW = /swiftshader|llvmpipe|software|basic render/i;
 /** Triangles of a picture while something moves, and of one at rest. */
 const BUDGET = { quick: 8e6, fine: 16e6 };
-const SLOW_BUDGET = { quick: 2e4, fine: 1.5e6 };
-/** Pixels that may be lost where there is time enough, and where there is not; and what share is drawn at least. */
+const SLOW_BUDGET = { quick: 8e4, fine: 1.5e6 };
+/** Pixels that may be lost where there is time enough, and where there is not: no more than are still a part of a plant. Then
+ *  fewer pixels are drawn, of which as few may be lost. */
 const LOST = 4;
-const MOST_LOST = 60;
-const LEAST_SHARE = 0.02;
+const MOST_LOST = 16;
+/** How many times fewer pixels each way a slow machine draws of what moves: where there is time enough, and where there is not. */
+const SMALLER = 2;
+const SMALLEST = 3;
+/** What share is drawn at least. */
+const LEAST_SHARE = 0.05;
 
 /** Draws the scene in its several ways. */
 export class Painter {
@@ -95,14 +100,21 @@ export class Painter {
       sum = cost();
     }
     for (; sum > budget && this.lost[mode] < MOST_LOST; sum = cost()) this.lost[mode] *= 1.6;
-    const whole = this.stands.reduce((sum, stand) => sum + stand.triangles, 0);
-    const share = Math.min(1, Math.max(LEAST_SHARE, (budget - whole) / Math.max(1, sum - whole)));
-    for (const one of this.things) one.thin(one.parent === this.world ? share : 1);
+    const mayGo = (one: Drawn): boolean => one.thinned && one.parent === this.world;
+    const thinnable = this.things.reduce((sum, one) => (mayGo(one) && one.visible ? sum + one.triangles : sum), 0);
+    // What cannot be thinned must not make all else too few to be told for what it is.
+    const share = Math.min(1, Math.max(LEAST_SHARE, Math.max(budget - (sum - thinnable), budget / 2) / Math.max(1, thinnable)));
+    for (const one of this.things) one.thin(mayGo(one) ? share : 1);
   }
 
   /** How many pictures make a settled one. */
   private get enough(): number {
     return this.slow ? 8 : 16;
+  }
+
+  /** How much of the picture at rest there is, 0..1. */
+  get settled(): number {
+    return this.settle.count / this.enough;
   }
 
   /** Draws at once. */
@@ -111,7 +123,8 @@ export class Painter {
     this.plan(camera, "quick");
     if (this.shadowIsOld && !this.slow) this.shade();
     this.renderer.setRenderTarget(null);
-    if (this.slow) this.settle.roughly(() => this.look(camera, 0.5, true));
+    const smaller = Math.min(SMALLEST, Math.max(SMALLER, Math.ceil(this.lost.quick / LOST)));
+    if (this.slow) this.settle.roughly(smaller, () => this.look(camera, 0.5, true));
     else this.look(camera, 0.4, true);
     this.mark();
   }

@@ -33,6 +33,8 @@ export interface ViewEvents {
   forgotten?(): void;
   /** One looks through the preset's camera now, or no more. */
   through?(on: boolean): void;
+  /** How much of the picture at rest is there, 0..1; 1 where there is nothing to wait for. */
+  refining?(share: number): void;
 }
 
 /** What stands for an organism where one clicks: specimens from 1, entries that are sown from here on. */
@@ -129,6 +131,11 @@ export class View implements PointerTarget {
 
   have(): string[] {
     return this.cache.names();
+  }
+
+  /** Takes the keys. */
+  focus(): void {
+    this.canvas.focus();
   }
 
   /** Shows nothing, until there is another model. */
@@ -333,6 +340,7 @@ export class View implements PointerTarget {
   /** Asks for a picture; many askings make one. */
   private changed = (): void => {
     if (this.stop.signal.aborted) return; // a picture of a material that came after the view was closed
+    this.events.refining?.(1);
     clearTimeout(this.rest);
     this.rest = 0;
     cancelAnimationFrame(this.coming);
@@ -366,7 +374,10 @@ export class View implements PointerTarget {
 
   private quiet = (): void => {
     this.rest = 0;
-    if (this.header && !this.coming) this.coming = requestAnimationFrame(this.refine);
+    if (!this.header || this.coming) return;
+    // The sign that it becomes finer is on the screen before that keeps the machine busy.
+    this.events.refining?.(0);
+    this.coming = requestAnimationFrame(() => (this.coming = requestAnimationFrame(this.refine)));
   };
 
   private refine = (): void => {
@@ -374,7 +385,9 @@ export class View implements PointerTarget {
       this.coming = 0;
       return;
     }
-    this.coming = this.painter.busy || this.painter.refine(this.camera) ? requestAnimationFrame(this.refine) : 0;
+    const more = this.painter.busy || this.painter.refine(this.camera);
+    this.coming = more ? requestAnimationFrame(this.refine) : 0;
+    this.events.refining?.(more ? this.painter.settled : 1);
   };
 
   private listen(): void {
