@@ -316,10 +316,12 @@ class Server {
       send(response, 200, {{"id", *id}});
     });
     post("/api/export", [this](const Request&, Response& response, const Json& question, Doc doc) {
-      auto path =
-          export_doc(documents_, options_.home, doc, question.value("time", 0.0), question.at("type"));
+      auto path = export_doc(documents_, options_.home, doc, export_order(question));
       if (!path) return send(response, 422, {{"errors", errors_json(path.errors())}});
       send(response, 200, {{"file", path->string()}});
+    });
+    post("/api/export/size", [this](const Request&, Response& response, const Json& question, Doc doc) {
+      send(response, export_size(documents_, scenes_, doc, export_order(question)));
     });
     server_.Get("/api/renders",
                 [this](const Request&, Response& response) { send(response, 200, renders_.list()); });

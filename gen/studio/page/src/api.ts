@@ -286,9 +286,28 @@ export async function render(doc: Doc, time: number, size: [number, number], qua
   if (!answer.ok) await refuse(answer);
   return (await answer.json()) as { id: string };
 }
-/** Writes the scene as it is at a time into a file of that type, as ".glb"; where that is. */
-export async function exported(doc: Doc, time: number, type: string): Promise<{ file: string } | Fault[]> {
-  const answer = await call("POST", "/api/export", { doc, time, type });
+/** How a scene is exported: by default as it is at the time. */
+export interface ExportOrder {
+  /** An extension, as ".glb". */
+  type: string;
+  /** Triangles of one organism, about. */
+  detail?: number;
+  /** Of detail. */
+  levels?: number;
+  /** How it sways and grows over the film comes with it. */
+  wind?: boolean;
+}
+/** How large what would be written is, about; `triangles`: of each level; `sown`: plants that are not counted. */
+export interface ExportSize {
+  triangles: number[];
+  vertices: number;
+  bytes: number;
+  sown: number;
+}
+export const exportSize = (doc: Doc, time: number, order: ExportOrder): Promise<ExportSize> => json("POST", "/api/export/size", { doc, time, ...order });
+/** Writes the scene as it is at a time into a file; where that is. */
+export async function exported(doc: Doc, time: number, order: ExportOrder): Promise<{ file: string } | Fault[]> {
+  const answer = await call("POST", "/api/export", { doc, time, ...order });
   if (answer.status === 422) return ((await answer.json()) as { errors: Fault[] }).errors;
   if (!answer.ok) await refuse(answer);
   return (await answer.json()) as { file: string };

@@ -46,7 +46,7 @@ export type Scope = "own" | "species" | "all" | "unset";
 const NEVER_OF_SPECIES = { own: ["count", "group", "sown", "species"], place: ["at", "on", "center", "inner", "radius"] };
 
 /** Kinds that others stand on or beside. */
-const LIFELESS = new Set(["rock", "pebbles", "wall", "column", "mesh", "bridge", "vase", "trellis"]);
+export const LIFELESS = new Set(["rock", "pebbles", "wall", "column", "mesh", "bridge", "vase", "trellis"]);
 
 /** What the preset of a species says of those that name it: all of its first organism but where that stands. */
 export function speciesIn(preset: Preset): Json | null {

@@ -11,6 +11,7 @@ import { insertAt, removeAt, setAt } from "../src/edits";
 import { handleAt, keyLists, keysOf, valueAtTime, wayOf, withKey } from "../src/keyframes";
 import { balanced, boundsOf, colorAt, flooded, largestPiece, upright, type Pixels } from "../src/photographs/pixels";
 import { getAt, isObject, type Path } from "../src/pointer";
+import { inOrderOf } from "../src/panels/add_organism";
 import { beside, Preset, speciesIn } from "../src/preset";
 import { fieldOf, PresetSchema, type NumberField } from "../src/schema";
 import { relativeTo, withSpecies } from "../src/species";
@@ -144,9 +145,10 @@ test("a key says how the way to the next one goes", () => {
   assert.equal(keyLists({ angle: [[0, 1, "in"], [2, 3]], ends: [[0, 1, 2], [3, 4, 5]] }).length, 1);
 });
 
+const SCHEMA = JSON.parse(readFileSync(new URL("../../../../docs/preset.schema.json", `file://${process.cwd()}/test/`), "utf8")) as Record<string, unknown>;
+
 test("the schema of presets is read whole", () => {
-  const path = new URL("../../../../docs/preset.schema.json", `file://${process.cwd()}/test/`);
-  const schema = new PresetSchema(JSON.parse(readFileSync(path, "utf8")) as Record<string, unknown>);
+  const schema = new PresetSchema(SCHEMA);
   assert.ok(schema.kinds.length > 10 && schema.kinds.every((k) => k.doc));
   for (const { value } of schema.kinds) assert.ok(schema.kind(value).fields.size > 8, value);
   const skin = schema.at(["organisms", 0, "skin", "tint", "base"], ["coral"]);
@@ -156,12 +158,36 @@ test("the schema of presets is read whole", () => {
   assert.equal(schema.at(["defaults", "season"], ["tree"])?.type, "object");
 });
 
+test("the subject is what the camera is set to, what the title names, or the first that lives", () => {
+  const subject = (text: object): number => new Preset(JSON.stringify(text)).subject;
+  const bonsai = [{ kind: "vase", name: "plinth" }, { kind: "vase", name: "pot" }, { kind: "tree", name: "pine" }];
+  assert.equal(subject({ title: "A bonsai", organisms: bonsai }), 2);
+  assert.equal(subject({ title: "A pot", organisms: bonsai }), 1);
+  assert.equal(subject({ title: "The plinth", scene: { camera: { focus: "pot" } }, organisms: bonsai }), 1);
+  assert.equal(subject({ title: "Two", organisms: [{ kind: "bridge" }, { kind: "plant", name: "bush" }] }), 1);
+  assert.equal(subject({ organisms: [{ kind: "rock" }] }), 0);
+});
+
+test("kinds to add come in the order of the setting", () => {
+  const kinds = ["coral", "rock", "tree"].map((value) => ({ value }));
+  const order = (setting: string): string => inOrderOf(setting, kinds).map(({ value }) => value).join();
+  assert.equal(order("underwater"), "coral,rock,tree");
+  assert.equal(order("garden"), "tree,rock,coral");
+});
+
+test("a kind names what shapes it most, and all of it exists", () => {
+  const schema = new PresetSchema(SCHEMA);
+  for (const { value } of schema.kinds)
+    for (const path of schema.leading(value)) assert.ok(schema.at(["organisms", 0, ...path], [value]), `${value} has no ${path.join("/")}`);
+});
+
 test("few things are neither thinned nor enlarged, and many do not balloon", () => {
   for (const count of [1, 2, 50, 399, 799]) {
     assert.equal(everyOf(count, 0.02), 1);
     assert.equal(enlarged(everyOf(count, 0.02)), 1);
   }
   assert.equal(firstOf(30, 0.02), 30);
+  assert.equal(firstOf(3900, 0.02), 3900, "a plant of few pieces is never cut");
   assert.equal(everyOf(1e6, 1), 1);
   assert.equal(everyOf(1e6, 0.02), 50);
   assert.ok(1e5 / everyOf(1e5, 1e-9) >= 400);

@@ -5,6 +5,8 @@ import { codeArea, type CodeArea } from "../controls/code_area";
 import { el, grouped, quiet } from "../dom";
 import { getAt, isObject, toPointer, type Path } from "../pointer";
 import type { Store } from "../store";
+import { ofKind } from "./add_organism";
+import { docLink, nextStep } from "./help";
 
 const LISTS = [
   ["rules", "Productions", "One a line: left < predecessor > right : condition ->(weight) successor"],
@@ -70,7 +72,15 @@ export function grammarPanel(store: Store): { element: HTMLElement; opened(): vo
     el("label.axiom", {}, el("span", {}, "Axiom"), axiom), axiomFault, ...lists.map((l) => l.host),
     el("details.rules", {}, el("summary", {}, "Symbols of the turtle"), symbols));
   const outcome = el("div.outcome", {}, el("div.steps", {}, el("span", {}, "Step"), steps, stepsShown), figures, word, pictures);
-  const none = el("p.hint", {}, "Select an organism that has a grammar: a plant, or a coral of form “own”.");
+  const none = el("div");
+  /** What a grammar is, and those that there are to look at. */
+  const tellNone = (): void => {
+    const grown = [...store.preset.organisms.keys()].filter((i) => getAt(store.preset.organism(i), ["grammar"]) !== undefined).slice(0, 3);
+    none.replaceChildren(nextStep("A grammar is a few rules by which a plant grows: each step rewrites every letter of a word, and a turtle draws what comes of it. Plants have one, and corals of form “own”.",
+      docLink("grammars.md", "Grammars"),
+      ...grown.map((i): [string, () => void] => [`Show that of ${store.preset.nameOf(i)}`, () => store.select(i)]),
+      ...(grown.length ? [] : [["Add a plant with a grammar", () => store.addOrganism(ofKind(store, "plant"))] as [string, () => void]])));
+  };
   const element = el("div.grammar-panel", { "data-testid": "grammar-panel" }, none, editor, outcome);
 
   const derive = quiet(150, () => void show());
@@ -119,6 +129,7 @@ export function grammarPanel(store: Store): { element: HTMLElement; opened(): vo
     const value = grammar();
     const has = typeof store.selected === "number" && store.schema.kind(store.preset.kindOf(store.selected)).fields.has("grammar");
     none.hidden = has;
+    if (!has && open) tellNone();
     editor.hidden = outcome.hidden = !has;
     if (!has || !open) return;
     if (document.activeElement !== axiom) axiom.value = String(getAt(value, ["axiom"]) ?? "");

@@ -55,11 +55,15 @@ const PAGES: [file: string, title: string][] = [
 /** A link to a page of the documentation, which opens beside this one. */
 export const docLink = (file: string, title: string): HTMLElement => el("a", { href: api.docs(file), target: "_blank", rel: "noopener", "data-testid": `doc:${file}` }, title);
 
+/** Says what a place is for, and offers what to do next. */
+export const nextStep = (text: string, doc: HTMLElement | null, ...steps: [label: string, act: () => void][]): HTMLElement =>
+  el("div.next-step", {}, el("p.hint", {}, text, doc && " ", doc), el("div.cluster", {}, ...steps.map(([label, act], i) => el(`button${i ? "" : ".primary"}`, { type: "button", "data-testid": "next-step", click: act }, label))));
+
 export async function showHelp(): Promise<void> {
   const group = ([title, keys]: (typeof KEYS)[number]): HTMLElement =>
     el("section", {}, el("h3", {}, title), el("dl.keys-list", {}, ...keys.map(([key, does]) => el("div", {}, el("dt", {}, el("kbd", {}, key)), el("dd", {}, does)))));
   await dialog("Keys and help", (close) => [
-    el("div.keys-groups", { "data-testid": "keys", tabIndex: 0, "aria-label": "Keys" }, ...KEYS.map(group)),
+    el("div.keys-groups", { "data-testid": "keys", role: "region", tabIndex: 0, "aria-label": "Keys" }, ...KEYS.map(group)),
     el("h3", {}, "To read"),
     el("p.doc-links", {}, ...PAGES.map(([file, title]) => docLink(file, title))),
     el("div.answers", {}, el("button.primary", { type: "button", click: () => close(null) }, "Close")),

@@ -11,7 +11,9 @@ import { SceneLoop } from "../scene_loop";
 import type { Store } from "../store";
 import type { Vec3 } from "../view/header";
 import { View, type Path as DragPath } from "../view/view";
+import { addOrganism } from "./add_organism";
 import { ask } from "./dialogs";
+import { docLink, nextStep } from "./help";
 import { secondViews } from "./second_view";
 import { setCamera } from "./set_camera";
 import { onTheme } from "./theme";
@@ -60,9 +62,10 @@ export function stage(store: Store): Stage {
   const looks: StageLooks = { frame: () => view.frame(chosen()), front: () => view.frame(chosen(), "front"), side: () => view.frame(chosen(), "side"), top: () => view.frame(chosen(), "top"), home: () => view.home() };
   const finer = el<HTMLProgressElement>("progress.finer", { max: 1, hidden: true, "aria-label": "The picture becomes finer", "data-tip": "The picture becomes finer", "data-testid": "refining" });
   const over = el("div.over", { hidden: true, "data-testid": "estimate" });
+  const nothing = el("div.over.nothing", { hidden: true, "data-testid": "nothing" }, nextStep("Nothing grows here yet. Add a plant, a coral or a wall, and shape it at the side; or drag one from the library.", docLink("tutorial.md", "An hour by hand"), ["Add an organism …", () => void addOrganism(store)]));
   const bar = el<HTMLProgressElement>("progress", { max: 1, "aria-label": "Organisms that have grown" });
   const growing = el("div.growing", { hidden: true, "data-testid": "growing" }, bar, el("button.small", { type: "button", "data-testid": "stop-growing", click: () => loop.stop() }, "Stop"));
-  const element = el("section.stage", { "aria-label": "View of the model" }, host, growing, el("div.stage-tools", { role: "group", "aria-label": "Camera" }, menu, look), over, el("div.stage-said", {}, figures, finer));
+  const element = el("section.stage", { "aria-label": "View of the model" }, host, growing, el("div.stage-tools", { role: "group", "aria-label": "Camera" }, menu, look), over, nothing, el("div.stage-said", {}, figures, finer));
   let through = false;
 
   const moving = together(store);
@@ -145,6 +148,7 @@ export function stage(store: Store): Stage {
     view.lookThrough(false);
     view.clear();
   });
+  store.on(["text", "opened"], () => (nothing.hidden = !store.isOpen || store.preset.syntax.length > 0 || store.preset.organisms.length > 0));
   let drawn = "[]";
   const drawPaths = (): void => {
     const paths = pathsOf(store);

@@ -3,7 +3,7 @@
 import { Plane, Quaternion, Raycaster, Vector3, type PerspectiveCamera } from "three";
 import * as api from "../api";
 import type { Picked } from "../api";
-import { el } from "../dom";
+import { el, sleep } from "../dom";
 import { say } from "../panels/dialogs";
 import { getAt } from "../pointer";
 import { round } from "../rounding";
@@ -16,6 +16,7 @@ import { Marks, touches } from "../view/marks";
 const COLORS = { hangs: 0xffa63d, axis: 0xffffff, handle: 0x59c36a };
 const FAR = 1e4; // metres
 const STRONGER = 1.25;
+const HOVER = 60; // ms between questions what is under the pointer
 const MOST_STEPS = 30; // nodes that are passed over
 
 interface Edit {
@@ -33,6 +34,9 @@ export class Branches implements Tool {
   private picked: Picked | null = null;
   private pixel = 0.001;
   private asked = 0;
+  /** Where the pointer is, not asked yet. */
+  private under: ReturnType<typeof rayOf> | null = null;
+  private hovering = false;
   private told = el("p", { role: "status", "data-testid": "branch" }, "Click a branch.");
   private address = el<HTMLInputElement>("input", { type: "text", size: 12, "aria-label": "Address of the branch", "data-tip": "Numbers of branches counted from the foot, with slashes, and the share of its length: 3/1:0.4", "data-testid": "branch-address" });
   private year = el<HTMLInputElement>("input.number", { type: "number", min: "1", step: "1", size: 5, "aria-label": "Year in which it is cut", "data-testid": "cut-year" });
@@ -69,8 +73,27 @@ export class Branches implements Tool {
   }
 
   click(ray: Raycaster): void {
-    const { origin, direction } = ray.ray;
-    void this.ask({ from: origin.toArray(), to: origin.clone().addScaledVector(direction, FAR).toArray() });
+    void this.ask(rayOf(ray));
+  }
+
+  /** The branch under the pointer is drawn over, and named, before it is clicked: one question at a time. */
+  hover(ray: Raycaster | null): void {
+    this.under = ray && rayOf(ray);
+    if (!this.under) this.view.trace([]);
+    else if (!this.hovering) void this.follow();
+  }
+
+  private async follow(): Promise<void> {
+    this.hovering = true;
+    while (this.under) {
+      const asked = this.under;
+      const found = await api.pick(this.store.doc, this.store.time, asked).catch(() => null);
+      await sleep(HOVER);
+      if (this.under === asked) this.under = null;
+      else if (!this.under) break; // it has left
+      this.view.trace(found?.beam.filter((_, i) => i % 4 < 3) ?? []);
+    }
+    this.hovering = false;
   }
 
   /** The place that is picked is taken hold of; elsewhere the eye is turned. */
@@ -210,6 +233,11 @@ export class Branches implements Tool {
     else if (all.length) store.remove(path);
     say(edits.length === 1 ? "1 edit of branches." : `${edits.length} edits of branches.`);
   }
+}
+
+/** From the eye on, as far as one sees. */
+function rayOf({ ray: { origin, direction } }: Raycaster): { from: [number, number, number]; to: [number, number, number] } {
+  return { from: origin.toArray(), to: origin.clone().addScaledVector(direction, FAR).toArray() };
 }
 
 function nearestNode(beam: readonly number[], at: Vector3): number {

@@ -17,6 +17,7 @@ import { Pointer, type Planting, type PointerTarget } from "./pointer";
 import { PartCache } from "./part_cache";
 import type { Header, Part, Vec3 } from "./header";
 import type { Tool } from "./tool";
+import { Trace } from "./trace";
 
 export type { Path } from "./guides";
 
@@ -63,6 +64,7 @@ export class View implements PointerTarget {
   private shown: { part: Part; thing: Drawn | Stand }[] = [];
   tool: Tool | null = null;
   private painted: Painted | null = null;
+  private traced = new Trace();
   private selected: number | null = null;
   /** What is marked beside it. */
   private also: ReadonlySet<number> = NOBODY;
@@ -91,7 +93,7 @@ export class View implements PointerTarget {
     this.frameBox.style.cssText = "position:absolute;pointer-events:none;box-shadow:0 0 0 4000px rgb(0 0 0/.55);outline:1px solid rgb(255 255 255/.5);display:none";
     if (getComputedStyle(host).position === "static") host.style.position = "relative";
     host.style.overflow = "hidden";
-    host.append(this.canvas, this.frameBox);
+    host.append(this.canvas, this.traced.element, this.frameBox);
     this.painter = new Painter(this.canvas);
     this.painter.over.add(this.guides);
     this.eyes = new Eye(this.canvas, this.changed, () => this.throughChanged());
@@ -171,6 +173,7 @@ export class View implements PointerTarget {
   /** Works with a tool, or selects again. */
   use(tool: Tool | null): void {
     if (this.tool) this.painter.over.remove(this.tool.drawn);
+    this.trace([]);
     if (tool) this.painter.over.add(tool.drawn);
     this.tool = tool;
     this.canvas.classList.toggle("working", tool !== null);
@@ -193,6 +196,12 @@ export class View implements PointerTarget {
   /** The height of the ground at x, z; 0 where none is drawn. */
   heightAt(x: number, z: number): number {
     return this.groundUnder(new Raycaster(new Vector3(x, 1e4, z), new Vector3(0, -1, 0)), 0)?.y ?? 0;
+  }
+
+  /** Draws a line over the picture, three numbers a point; none takes it away. */
+  trace(points: readonly number[]): void {
+    this.traced.show(points);
+    this.traced.place(this.toPixel);
   }
 
   /** What a tool draws is another. */
@@ -325,6 +334,7 @@ export class View implements PointerTarget {
     this.guides.dispose();
     this.painter.dispose();
     this.canvas.remove();
+    this.traced.element.remove();
     this.frameBox.remove();
   }
 
@@ -356,6 +366,7 @@ export class View implements PointerTarget {
     this.coming = 0;
     const more = this.eyes.step();
     this.looked();
+    this.traced.place(this.toPixel);
     this.guides.scaleTo(this.camera, this.painter.pixelOf(this.camera, this.canvas.clientHeight));
     this.tool?.scaleTo(this.camera, this.painter.pixelOf(this.camera, this.canvas.clientHeight));
     this.painter.draw(this.camera);
