@@ -16,6 +16,10 @@ import { beside, Preset, speciesIn } from "../src/preset";
 import { fieldOf, PresetSchema, type NumberField } from "../src/schema";
 import { relativeTo, withSpecies } from "../src/species";
 import { sizeFor } from "../src/film_size";
+import { Stand } from "../src/view/copies";
+import type { Studio } from "../src/view/drawn";
+import type { CopiesPart } from "../src/view/header";
+import type { Packet } from "../src/view/packet";
 import { frameNear, timesOver } from "../src/panels/storyboard";
 import { viewsOf } from "../src/panels/views";
 import type { Header, Part } from "../src/view/header";
@@ -179,6 +183,14 @@ test("a kind names what shapes it most, and all of it exists", () => {
   const schema = new PresetSchema(SCHEMA);
   for (const { value } of schema.kinds)
     for (const path of schema.leading(value)) assert.ok(schema.at(["organisms", 0, ...path], [value]), `${value} has no ${path.join("/")}`);
+});
+
+test("a stand of which nothing is seen from afar makes no errors", (t) => {
+  const errors = t.mock.method(console, "error", () => undefined);
+  const packet = { header: {} as Header, base: 0, bytes: new Float32Array(10).buffer } as unknown as Packet;
+  const part = { kind: "copies", id: "a", entry: 0, specimen: -1, model: 0, levels: [{ grain: 0, parts: [] }, { grain: 1, parts: [] }], instances: { at: 0, n: 10, t: "f32" } } as CopiesPart;
+  assert.equal(new Stand(packet, part, { shared: {}, pictures: {} } as unknown as Studio).drawn().length, 0);
+  assert.equal(errors.mock.callCount(), 0);
 });
 
 test("few things are neither thinned nor enlarged, and many do not balloon", () => {

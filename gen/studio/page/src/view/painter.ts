@@ -112,6 +112,11 @@ export class Painter {
     return this.slow ? 8 : 16;
   }
 
+  /** The picture at rest is made anew. */
+  again(): void {
+    this.settle.count = 0;
+  }
+
   /** How much of the picture at rest there is, 0..1. */
   get settled(): number {
     return this.settle.count / this.enough;

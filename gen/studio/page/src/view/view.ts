@@ -72,6 +72,8 @@ export class View implements PointerTarget {
   private movable: Header["specimens"] = [];
   private wayShown = false;
   private coming = 0;
+  /** Whether what comes makes the picture at rest finer. */
+  private refining = false;
   private sky = "";
   /** Whether the model was on the screen yet. */
   private seen = false;
@@ -97,7 +99,7 @@ export class View implements PointerTarget {
     this.painter = new Painter(this.canvas);
     this.painter.over.add(this.guides);
     this.eyes = new Eye(this.canvas, this.changed, () => this.throughChanged());
-    this.pictures = new Pictures(pictureAddress, this.changed);
+    this.pictures = new Pictures(pictureAddress, this.pictureCame);
     this.cache = new PartCache({ shared: this.painter.shared, pictures: this.pictures });
     this.pointer = new Pointer(this.canvas, this);
     this.listen();
@@ -350,11 +352,20 @@ export class View implements PointerTarget {
   /** Asks for a picture; many askings make one. */
   private changed = (): void => {
     if (this.stop.signal.aborted) return; // a picture of a material that came after the view was closed
+    this.refining = false;
     this.events.refining?.(1);
     clearTimeout(this.rest);
     this.rest = 0;
     cancelAnimationFrame(this.coming);
     this.coming = requestAnimationFrame(this.draw);
+  };
+
+  /** A picture of a material has come: what is on the screen stays as it is until it can be drawn as finely. */
+  private pictureCame = (): void => {
+    if (this.stop.signal.aborted || this.rest || (this.coming && !this.refining)) return; // it comes with what is drawn next
+    if (!this.seen) return this.changed();
+    this.painter.again();
+    if (!this.coming) this.startRefining();
   };
 
   private draw = (): void => {
@@ -386,18 +397,25 @@ export class View implements PointerTarget {
   private quiet = (): void => {
     this.rest = 0;
     if (!this.header || this.coming) return;
+    this.startRefining();
+  };
+
+  private startRefining(): void {
     // The sign that it becomes finer is on the screen before that keeps the machine busy.
     this.events.refining?.(0);
+    this.refining = true;
     this.coming = requestAnimationFrame(() => (this.coming = requestAnimationFrame(this.refine)));
-  };
+  }
 
   private refine = (): void => {
     if (this.held) {
       this.coming = 0;
+      this.refining = false;
       return;
     }
     const more = this.painter.busy || this.painter.refine(this.camera);
     this.coming = more ? requestAnimationFrame(this.refine) : 0;
+    this.refining = more;
     this.events.refining?.(more ? this.painter.settled : 1);
   };
 
@@ -457,7 +475,7 @@ export class View implements PointerTarget {
     void this.pictures.sky(sky).then((texture) => {
       if (sky !== this.sky) return;
       this.painter.shared.sky.value = texture;
-      this.changed();
+      this.pictureCame();
     });
   }
 
