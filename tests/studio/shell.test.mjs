@@ -43,6 +43,14 @@ test('what shapes a plant leads, and what only lists it comes last', async () =>
   assert.deepEqual(rows.slice(-3).sort(), ['count', 'group', 'name'].map(name => `row:organism/${name}`), rows.join());
 });
 
+test('another bark is chosen by its picture, as one step', async () => {
+  await page.getByTestId('swap-surface').click();
+  await page.getByTestId('swaps').getByRole('button').first().click();
+  await page.waitForFunction(() => document.querySelector('[data-testid=undo]').disabled === false);
+  await page.getByTestId('undo').click();
+  assert.equal(await page.getByTestId('undo').isDisabled(), true);
+});
+
 test('no button is cut off, with a second view beside', async () => {
   await choose(page, 'views', 'two-views');
   await page.locator('[data-testid=second-view] canvas').waitFor();

@@ -16,6 +16,7 @@ import { beside, Preset, speciesIn } from "../src/preset";
 import { fieldOf, PresetSchema, type NumberField } from "../src/schema";
 import { relativeTo, withSpecies } from "../src/species";
 import { sizeFor } from "../src/film_size";
+import { partsFor } from "../src/materials";
 import { Stand } from "../src/view/copies";
 import type { Studio } from "../src/view/drawn";
 import type { CopiesPart } from "../src/view/header";
@@ -191,6 +192,15 @@ test("a stand of which nothing is seen from afar makes no errors", (t) => {
   const part = { kind: "copies", id: "a", entry: 0, specimen: -1, model: 0, levels: [{ grain: 0, parts: [] }, { grain: 1, parts: [] }], instances: { at: 0, n: 10, t: "f32" } } as CopiesPart;
   assert.equal(new Stand(packet, part, { shared: {}, pictures: {} } as unknown as Studio).drawn().length, 0);
   assert.equal(errors.mock.callCount(), 0);
+});
+
+test("leaves are swapped for those of the same kind, surfaces for any that fit", () => {
+  const schema = new PresetSchema(SCHEMA);
+  const oak = { file: "oak.json", name: "oak", kind: "tree", values: { bark: { kind: "bark" }, leaves: { size: 0.1 } } };
+  const ivy = { file: "ivy.json", name: "ivy", kind: "ivy", values: { bark: { kind: "bark" }, leaves: { size: 0.05 } } };
+  assert.deepEqual(partsFor(schema, [oak, ivy], "tree", "leaves").map(({ values }) => values), [{ leaves: { size: 0.1 } }]);
+  assert.deepEqual(partsFor(schema, [oak, ivy], "tree", "surface").map(({ values }) => values), [{ bark: { kind: "bark" } }], "alike ones once");
+  assert.deepEqual(partsFor(schema, [oak], "rock", "surface"), []);
 });
 
 test("few things are neither thinned nor enlarged, and many do not balloon", () => {
