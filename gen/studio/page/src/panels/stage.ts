@@ -111,7 +111,7 @@ export function stage(store: Store): Stage {
     element.classList.toggle("wrong", faults > 0);
     // Words that change with each picture would be read aloud without end.
     figures.setAttribute("aria-live", faults ? "polite" : "off");
-    figures.textContent = faults ? `${faults === 1 ? "A problem keeps" : `${faults} problems keep`} the picture as it was` : soFar ? `Growing, ${soFar.done} of ${soFar.of} …` : header ? summary(header.nodes, header.copies, took) : busy ? "Growing …" : "";
+    figures.textContent = faults ? `${faults === 1 ? "A problem keeps" : `${faults} problems keep`} the picture as it was` : soFar ? (soFar.of ? `Growing, ${soFar.done} of ${soFar.of} …` : "Growing …") : header ? summary(header.nodes, header.copies, took) : busy ? "Growing …" : "";
     over.hidden = estimate === null && !stopped;
     if (stopped) over.replaceChildren(el("span", {}, "Stopped: not all has grown."), el("button", { type: "button", "data-testid": "grow-on", click: () => loop.agree() }, "Grow it"));
     growing.hidden = soFar === null;
