@@ -68,6 +68,14 @@ test('a bough is picked and cut by a click and a key, undone, and cut by its add
   assert.deepEqual((await now()).edits, [{at: '2:0.5', cut: true}]);
 });
 
+test('the branch under the pointer is drawn over before it is clicked, and no more when the pointer leaves', async () => {
+  await page.mouse.move(...(await pixelOf(page, [0.8, 0.6, 0])));
+  await page.mouse.move(...(await pixelOf(page, [0.9, 0.6, 0])));
+  await page.waitForFunction(() => document.querySelector('.trace polyline').getAttribute('points').split(' ').length > 1);
+  await page.mouse.move(5, 5);
+  await page.waitForFunction(() => !document.querySelector('.trace polyline').getAttribute('points'));
+});
+
 test('a bough is bent by dragging a point of it, which follows within 50 ms', async () => {
   await page.mouse.click(...(await pixelOf(page, [1.1, 0.6, 0])));
   await told(/cross, branch/);
