@@ -51,7 +51,6 @@ class Compiler {
     grammar_.warnings = find_idle(grammar_);
     for (const RuleSet* set : {&grammar_.rules, &grammar_.decomposition, &grammar_.interpretation})
       find_shadowed(*set, grammar_.warnings);
-    grammar_.warnings.insert(grammar_.warnings.end(), unreached_.begin(), unreached_.end());
     return std::move(grammar_);
   }
 
@@ -345,7 +344,7 @@ class Compiler {
       for (const std::vector<SymbolId>* side : {&rule.left, &rule.right})
         for (SymbolId id : *side)
           if (!grammar_.symbols[id].context && id != grammar_.open && id != grammar_.close)
-            unreached_.push_back(
+            grammar_.text.notes.push_back(
                 {rule.where, fmt::format("`{}` can never be used: its context has `{}`, which "
                                          "contexts look past; change `ignore` or the rule",
                                          rule.text, grammar_.symbols[id].name)});
@@ -392,7 +391,6 @@ class Compiler {
   Grammar grammar_;
   ModuleReader modules_;
   Errors errors_;
-  Errors unreached_;  // rules whose contexts are looked past: notes
 };
 
 }  // namespace
