@@ -214,6 +214,7 @@ struct NewArguments {
   std::string from;               ///< a kind, the file of a preset, or the name of one that is shipped
   std::string program = "frond";  ///< as it was called, for what is said to come next
   bool quiet = false;
+  bool stale = false;               ///< renders nothing, and names those that do not show what is there now
 };
 
 struct ImportArguments {

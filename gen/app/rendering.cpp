@@ -260,14 +260,22 @@ void add_gallery(CLI::App& app, int& result) {
   command->add_option("names", to->names, "Only these pictures");
   command->add_option("-o,--out", to->out, "DIR: keeps what they are made of (out/gallery)");
   command->add_flag("--large", to->large,
-                    "Renders the best of them 1280 pixels wide, into docs/gallery/large, and lists nothing");
+                    "Renders the best of them 1280 pixels wide, into docs/gallery/large");
+  command->add_flag("--stale", to->stale,
+                    "Renders nothing: names the pictures whose scenes are not what they show");
   command->footer(
       "docs/gallery/pictures.txt says which there are, and which are large ones; further ones are "
       "example-NAME, of each\n"
       "scene in docs/examples, and grammars. Interrupted and run again it goes on where it stopped. "
       "docs/gallery.md lists\n"
       "them with the seconds of processor that POV-Ray took, here or where they were rendered last.\n\n"
-      "Example:\n  frond gallery reef tree-oak");
+      "docs/gallery/scenes.txt keeps a hash of the scene of each picture as it was rendered. --stale writes "
+      "the "
+      "scenes\n"
+      "anew and names, a line each, the pictures whose hash is another or not there; large ones as "
+      "large/NAME. What it has\n"
+      "found it keeps in --out, so that nothing is written twice for the same program and preset.\n\n"
+      "Examples:\n  frond gallery reef tree-oak\n  frond gallery $(frond gallery --stale)");
   command->callback([&result, to] { result = gallery(*to); });
 }
 
