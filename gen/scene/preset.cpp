@@ -227,12 +227,18 @@ Errors lay_on_base(Value& root, const std::string& file_name, const Assets& asse
   return {};
 }
 
+/// The folder in which a value was written, be that of a base; of what was set, that of the preset.
+std::filesystem::path folder_of(const Value& value, const std::string& file_name) {
+  bool written = value.origin.source && value.origin.line > 0;
+  return std::filesystem::path(written ? *value.origin.source : file_name).parent_path();
+}
+
 /// Lays each organism that names a species over the first one of that preset, with the defaults there: how it
-/// grows and looks, not where it stands.
-Errors lay_on_species(Value& root, const std::string& file_name, const Assets& assets) {
+/// grows and looks, not where it stands. That one may name a species itself.
+Errors lay_on_species(Value& root, const std::string& file_name, const Assets& assets, int depth = 0) {
   Value* organisms = root.find("organisms");
   Errors errors;
-  for (std::size_t i = 0; organisms && i < organisms->items.size(); ++i) {
+  for (std::size_t i = 0; organisms && i < organisms->items.size() && (depth == 0 || i == 0); ++i) {
     Value& organism = organisms->items[i];
     const Value* species = organism.find("species");
     if (!species) continue;
@@ -249,7 +255,8 @@ Errors lay_on_species(Value& root, const std::string& file_name, const Assets& a
       fault("an XML file is no preset; species of Arbaro are named by \"arbaro\", of the kind weber_penn");
       continue;
     }
-    Result<NamedFile> file = assets.read(species->text, std::filesystem::path(file_name).parent_path());
+    Result<NamedFile> file = Error{"", "more than 8 species on each other; is one its own?"};
+    if (depth < kMostBases) file = assets.read(species->text, folder_of(*species, file_name));
     if (!file) {
       fault(file.errors().front().what);
       continue;
@@ -257,6 +264,7 @@ Errors lay_on_species(Value& root, const std::string& file_name, const Assets& a
     Result<Document> other = read_base(*file);
     Errors below = other ? lay_on_base(other->root, file->path.string(), assets) : other.errors();
     if (below.empty()) below = use_palettes(other->root);
+    if (below.empty()) below = lay_on_species(other->root, file->path.string(), assets, depth + 1);
     if (!below.empty()) return below;
     const Value* list = other->root.find("organisms");
     if (!list || list->items.empty()) {
