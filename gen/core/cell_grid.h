@@ -9,7 +9,7 @@
 namespace frond {
 
 /// Points and boxes in cubic cells of one size, found by hash, for finding neighbours; the space has no
-/// border.
+/// border; beyond 2^30 cells from the middle all lies in the outermost one, and so does what is no number.
 class CellGrid {
  public:
   explicit CellGrid(float cell) : cell_(cell), head_(kSlots, kEmpty) {}
@@ -60,7 +60,15 @@ class CellGrid {
       for (int y = from.y; y <= to.y; ++y)
         for (int z = from.z; z <= to.z; ++z) visit(glm::ivec3(x, y, z));
   }
-  glm::ivec3 cell_of(Vec3 at) const { return glm::ivec3(glm::floor(at / cell_)); }
+  glm::ivec3 cell_of(Vec3 at) const {
+    constexpr float kOutermost = 1 << 30;
+    auto one = [](float cell) {
+      if (!(cell > -kOutermost)) return static_cast<int>(-kOutermost);
+      return cell < kOutermost ? static_cast<int>(cell) : static_cast<int>(kOutermost);
+    };
+    Vec3 cell = glm::floor(at / cell_);
+    return {one(cell.x), one(cell.y), one(cell.z)};
+  }
   static std::size_t slot(glm::ivec3 cell) {
     glm::uvec3 c(cell);
     std::uint32_t h = c.x * 73856093u ^ c.y * 19349663u ^ c.z * 83492791u;

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "core/files.h"
+#include "core/text.h"
 #include "cpfg/macros.h"
 
 namespace frond::cpfg {
@@ -129,7 +129,7 @@ Result<ViewCurves> read_curves(ModelFolder& folder, const std::vector<CpfgViewLi
     if (words.empty()) return Error{line.where, "expected the name of a file"};
     Result<std::string> text = folder.read(words[0]);
     if (!text) return Error{line.where, text.errors()[0].what};
-    int samples = words.size() > 1 ? std::clamp(std::atoi(words[1].c_str()), 0, 100'000) : 0;
+    int samples = words.size() > 1 ? std::min(counting_number(words[1]), 100'000) : 0;
     auto wrong = [&](const Errors& errors) { return Error{line.where, words[0] + ": " + errors[0].what}; };
     if (one) {
       Result<FunctionTable> function = read_function(*text, samples);

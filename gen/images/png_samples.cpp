@@ -7,10 +7,13 @@
 #include <cmath>
 #include <csetjmp>
 #include <cstring>
+#include <exception>
 
 namespace frond {
 
 namespace {
+
+constexpr png_uint_32 kMostSide = 65'536;  // pixels
 
 /// What libpng reads from and writes to.
 struct PngBytes {
@@ -27,7 +30,14 @@ void png_read_bytes(png_structp png, png_bytep data, png_size_t size) {
 }
 
 void png_write_bytes(png_structp png, png_bytep data, png_size_t size) {
-  static_cast<PngBytes*>(png_get_io_ptr(png))->out.append(reinterpret_cast<const char*>(data), size);
+  auto* bytes = static_cast<PngBytes*>(png_get_io_ptr(png));
+  bool room = true;
+  try {
+    bytes->out.append(reinterpret_cast<const char*>(data), size);
+  } catch (const std::exception&) {  // must not pass through libpng, which is C
+    room = false;
+  }
+  if (!room) png_error(png, "there is no memory for it");
 }
 
 [[noreturn]] void png_fail(png_structp png, png_const_charp what) {
@@ -37,7 +47,8 @@ void png_write_bytes(png_structp png, png_bytep data, png_size_t size) {
 
 void png_ignore(png_structp, png_const_charp) {}
 
-void read_rows(png_structp png, png_infop info, PngSamples& samples) {
+/// What a file says of its samples.
+void read_head(png_structp png, png_infop info, PngSamples& samples) {
   png_read_info(png, info);
   if (png_get_color_type(png, info) == PNG_COLOR_TYPE_PALETTE || png_get_bit_depth(png, info) < 8)
     png_error(png, "its samples are none of 8 or 16 bits");
@@ -48,9 +59,12 @@ void read_rows(png_structp png, png_infop info, PngSamples& samples) {
   png_fixed_point gamma = 0;
   png_get_gAMA_fixed(png, info, &gamma);
   samples.gamma = gamma;
+}
+
+/// Into data that have room for them.
+void read_rows(png_structp png, png_infop info, PngSamples& samples) {
   int passes = png_set_interlace_handling(png);
   png_read_update_info(png, info);
-  samples.data.resize(samples.row() * static_cast<std::size_t>(samples.height));
   for (int pass = 0; pass < passes; ++pass)
     for (int y = 0; y < samples.height; ++y)
       png_read_row(png, samples.data.data() + samples.row() * static_cast<std::size_t>(y), nullptr);
@@ -70,6 +84,51 @@ void write_rows(png_structp png, png_infop info, const PngSamples& samples) {
   png_write_end(png, nullptr);
 }
 
+/// libpng's structs for a file that is read or written, which go with this, whatever is thrown.
+struct PngReader {
+  png_structp png;
+  png_infop info = nullptr;
+
+  explicit PngReader(PngBytes& bytes)
+      : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, &bytes, png_fail, png_ignore)) {
+    if (!png || !(info = png_create_info_struct(png))) return;
+    png_set_user_limits(png, kMostSide, kMostSide);
+    png_set_read_fn(png, &bytes, png_read_bytes);
+  }
+  ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
+  PngReader(const PngReader&) = delete;
+  PngReader& operator=(const PngReader&) = delete;
+};
+struct PngWriter {
+  png_structp png;
+  png_infop info = nullptr;
+
+  explicit PngWriter(PngBytes& bytes)
+      : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &bytes, png_fail, png_ignore)) {
+    if (!png || !(info = png_create_info_struct(png))) return;
+    png_set_user_limits(png, kMostSide, kMostSide);
+    png_set_write_fn(png, &bytes, png_write_bytes, nullptr);
+  }
+  ~PngWriter() { png_destroy_write_struct(&png, &info); }
+  PngWriter(const PngWriter&) = delete;
+  PngWriter& operator=(const PngWriter&) = delete;
+};
+
+/// Whether work with libpng comes to its end. An error of libpng jumps here, over frames of C and of `work`,
+/// which own nothing; no local of this one changes.
+template <class Samples>
+bool runs(png_structp png, png_infop info, Samples& samples, void (*work)(png_structp, png_infop, Samples&)) {
+  if (!info || setjmp(png_jmpbuf(png)) != 0) return false;
+  work(png, info, samples);
+  return true;
+}
+
+/// Whether a file is long enough for its samples: DEFLATE makes nothing 1032 times as short.
+bool may_hold(std::string_view png, const PngSamples& samples) {
+  constexpr std::size_t kMostPacked = 1040;
+  return samples.row() * static_cast<std::size_t>(samples.height) / kMostPacked <= png.size();
+}
+
 }  // namespace
 
 void PngSamples::set16(std::size_t i, double share) {
@@ -81,27 +140,21 @@ void PngSamples::set16(std::size_t i, double share) {
 Result<PngSamples> read_samples(std::string_view png) {
   PngBytes bytes{png, {}, {}};
   PngSamples samples;
-  png_structp reader = png_create_read_struct(PNG_LIBPNG_VER_STRING, &bytes, png_fail, png_ignore);
-  png_infop info = png_create_info_struct(reader);
-  if (setjmp(png_jmpbuf(reader)) == 0) {
-    png_set_read_fn(reader, &bytes, png_read_bytes);
-    read_rows(reader, info, samples);
+  PngReader reader(bytes);
+  bool good = runs(reader.png, reader.info, samples, read_head);
+  if (good && !may_hold(png, samples)) bytes.fault = "it is too short for its size", good = false;
+  if (good) {
+    samples.data.resize(samples.row() * static_cast<std::size_t>(samples.height));
+    good = runs(reader.png, reader.info, samples, read_rows);
   }
-  png_destroy_read_struct(&reader, &info, nullptr);
-  if (!bytes.fault.empty()) return Error{"", "no PNG: " + bytes.fault};
+  if (!good) return Error{"", "no PNG: " + bytes.fault};
   return samples;
 }
 
 Result<std::string> samples_text(const PngSamples& samples) {
   PngBytes bytes;
-  png_structp writer = png_create_write_struct(PNG_LIBPNG_VER_STRING, &bytes, png_fail, png_ignore);
-  png_infop info = png_create_info_struct(writer);
-  if (setjmp(png_jmpbuf(writer)) == 0) {
-    png_set_write_fn(writer, &bytes, png_write_bytes, nullptr);
-    write_rows(writer, info, samples);
-  }
-  png_destroy_write_struct(&writer, &info);
-  if (!bytes.fault.empty()) return Error{"", "PNG: " + bytes.fault};
+  PngWriter writer(bytes);
+  if (!runs(writer.png, writer.info, samples, write_rows)) return Error{"", "PNG: " + bytes.fault};
   return std::move(bytes.out);
 }
 

@@ -21,7 +21,8 @@ struct Raster {
                 static_cast<std::size_t>(of));
   }
   std::size_t index(int x, int y, int c = 0) const {
-    return static_cast<std::size_t>((y * width + x) * channels + c);
+    auto whole = [](int number) { return static_cast<std::size_t>(number); };
+    return (whole(y) * whole(width) + whole(x)) * whole(channels) + whole(c);
   }
   std::uint8_t at(int x, int y, int c = 0) const { return data[index(x, y, c)]; }
 };
@@ -42,8 +43,11 @@ struct Grid {
   Grid(int wide, int high) : width(wide), height(high) {
     data.resize(static_cast<std::size_t>(wide) * static_cast<std::size_t>(high));
   }
-  float& at(int x, int y) { return data[static_cast<std::size_t>(y * width + x)]; }
-  float at(int x, int y) const { return data[static_cast<std::size_t>(y * width + x)]; }
+  float& at(int x, int y) { return data[index(x, y)]; }
+  float at(int x, int y) const { return data[index(x, y)]; }
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  }
   /// Wraps round at the edges.
   float wrapped(int x, int y) const {
     return at((x % width + width) % width, (y % height + height) % height);

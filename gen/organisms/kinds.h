@@ -55,10 +55,10 @@ std::vector<std::vector<Thing>> by_kind(const std::vector<Thing>& things, const 
   return lists;
 }
 
-/// The grower of an organism whose kind is known.
+/// The grower of an organism whose kind is known; std::bad_cast, our own mistake, where it is of another.
 template <class G>
 const G& grower_of(const Organism& organism) {
-  return static_cast<const G&>(*organism.grower);
+  return dynamic_cast<const G&>(*organism.grower);
 }
 
 }  // namespace frond

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "core/seed.h"
 
@@ -69,6 +70,18 @@ TEST(Darts, KeepApartAndFillTheRoom) {
     if (free) taken.push_back(at);
   }
   EXPECT_GT(taken.size(), 50u);
+}
+
+TEST(CellGrid, WhatIsFarOffOrNoNumberHasACellToo) {
+  CellGrid grid(0.01f);
+  constexpr float kNone = std::numeric_limits<float>::quiet_NaN(), kEndless = 1e38f;
+  const Vec3 places[] = {{1, 2, 3}, {kEndless, 0, 0}, {0, -kEndless, 1e12f}, {kNone, 0, 0}};
+  for (std::uint32_t i = 0; i < std::size(places); ++i) grid.add(places[i], i);
+  for (std::uint32_t i = 0; i < std::size(places); ++i) {
+    std::vector<std::uint32_t> found;
+    grid.each(places[i], places[i], [&](std::uint32_t who) { found.push_back(who); });
+    EXPECT_TRUE(std::ranges::find(found, i) != found.end()) << i;
+  }
 }
 
 }  // namespace

@@ -33,5 +33,14 @@ TEST(Bytes, AreHeldToTheirRange) {
   EXPECT_EQ(to_byte(7), 255);
 }
 
+TEST(Raster, PlacesOfLargePicturesAreCountedBeyond31Bits) {
+  Raster picture;
+  picture.width = picture.height = 60'000, picture.channels = 3;
+  EXPECT_EQ(picture.index(59'999, 59'999, 2), 10'799'999'999u);
+  Grid grid;
+  grid.width = grid.height = 60'000;
+  EXPECT_EQ(grid.index(59'999, 59'999), 3'599'999'999u);
+}
+
 }  // namespace
 }  // namespace frond
