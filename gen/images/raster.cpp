@@ -36,6 +36,16 @@ Result<std::string> png_text(const Raster& raster) {
 
 namespace {
 
+/// What libpng holds while a file is read, which goes with this, whatever is thrown.
+struct ReadImage {
+  png_image image{};
+
+  ReadImage() = default;
+  ~ReadImage() { png_image_free(&image); }
+  ReadImage(const ReadImage&) = delete;
+  ReadImage& operator=(const ReadImage&) = delete;
+};
+
 /// Begins to read a file and looks at its size.
 Errors begin(png_image& image, std::string_view bytes) {
   image.version = PNG_IMAGE_VERSION;
@@ -44,7 +54,6 @@ Errors begin(png_image& image, std::string_view bytes) {
   if (image.width <= kLongestSide && image.height <= kLongestSide &&
       std::uint64_t{image.width} * image.height <= kMostPixels)
     return {};
-  png_image_free(&image);
   return {Error{"", "the picture is larger than 16384 pixels a side, or 100 million in all"}};
 }
 
@@ -57,7 +66,8 @@ Errors finish(png_image& image, void* data) {
 }  // namespace
 
 Result<Raster> read_png(std::string_view bytes) {
-  png_image image{};
+  ReadImage read;
+  png_image& image = read.image;
   if (Errors errors = begin(image, bytes); !errors.empty()) return errors;
   bool color = image.format & PNG_FORMAT_FLAG_COLOR, alpha = image.format & PNG_FORMAT_FLAG_ALPHA;
   int channels = alpha ? 4 : color ? 3 : 1;
@@ -68,7 +78,8 @@ Result<Raster> read_png(std::string_view bytes) {
 }
 
 Result<LinearRaster> read_linear_png(std::string_view bytes, bool opacity) {
-  png_image image{};
+  ReadImage read;
+  png_image& image = read.image;
   if (Errors errors = begin(image, bytes); !errors.empty()) return errors;
   bool alpha = opacity && image.format & PNG_FORMAT_FLAG_ALPHA;
   image.format = alpha ? PNG_FORMAT_LINEAR_RGB_ALPHA : PNG_FORMAT_LINEAR_RGB;
