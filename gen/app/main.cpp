@@ -27,6 +27,7 @@ void add_generate(CLI::App& app, int& result) {
   auto* command =
       app.add_subcommand("generate", "Writes the frames of a film, manifest.json and build.ninja");
   add_preset(command, to->preset);
+  add_pictures(command, to->preset);
   command->add_option("-o,--out", to->out, "Folder to write to (out/<preset name>)");
   command->add_option("--frames", to->frames, "A-B: only these frames");
   add_resolving(command, to->resolve);
@@ -57,6 +58,7 @@ void add_resolve(CLI::App& app, int& result) {
   auto* command = app.add_subcommand(
       "resolve", "Makes the frames of a film of raw ones, which `frond generate --resolve` has rendered");
   add_preset(command, to->preset);
+  add_pictures(command, to->preset);
   command->add_option("--film", to->folder,
                       "Folder of the film, with its raw frames in raw/ (out/<preset name>)");
   command->add_option("-o,--out", to->out, "Folder to write to (frames/ in that)");
@@ -86,6 +88,7 @@ void add_passes(CLI::App& app, int& result) {
   auto* command = app.add_subcommand(
       "passes", "Depth, normals, places, motion, sunlight and masks of all that stands there, as OpenEXR");
   add_preset(command, to->preset);
+  add_size(command, to->preset);
   command->add_option("-o,--out", to->out, "Folder to write to (out/<preset name>/passes)");
   command->add_option("--frames", to->frames, "A-B: only these frames (the last)");
   command->add_option("--side", to->side, "N: N * N rays tell the shares of a pixel (4)")
@@ -103,6 +106,7 @@ void add_look(CLI::App& app, int& result) {
   auto* command = app.add_subcommand(
       "look", "Draws at once, without a renderer, what the camera sees, and says how large all has grown");
   add_preset(command, to->preset);
+  add_size(command, to->preset);
   command->add_option("-o,--out", to->out, "FILE.png (<preset name>_look.png)");
   command->add_option("--frame", to->frame, "Which frame (the last)")->check(CLI::Range(1, 1'000'000));
   command->footer(

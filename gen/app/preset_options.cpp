@@ -13,18 +13,29 @@ void add_preset(CLI::App* command, PresetArguments& preset) {
   command->add_option("preset", preset.path, "The preset, a JSON file")->required();
   command->add_option("--set", preset.sets, "POINTER=VALUE: overrides one value, as in /film/fps=12")
       ->allow_extra_args(false);
+  add_assets(command, preset.assets);
+}
+
+void add_size(CLI::App* command, PresetArguments& preset) {
   command->add_option("--size", preset.size, "WxH: size of the pictures, in pixels");
   command->add_option("--scale", preset.scale, "N: multiplies the size, by 1 to 16");
   command->add_option("--quality", preset.quality, "draft, good or best");
+}
+
+void add_print(CLI::App* command, PresetArguments& preset) {
   command->add_option("--print", preset.print,
                       "20cm, 20x15cm, 150mm, 8in: size on paper, of the long side or of both");
   command->add_option("--dpi", preset.dpi, "N: pixels an inch of --print (300), which a still says");
+  command->add_flag("--transparent", preset.transparent,
+                    "Only what grows and stands there, on a transparent background");
+}
+
+void add_pictures(CLI::App* command, PresetArguments& preset) {
+  add_size(command, preset);
+  add_print(command, preset);
   command->add_option("--crop", preset.crop,
                       "X,Y,WxH: draws only this part, in pixels or per cent, as in 10%,20%,50%x50%");
   command->add_option("--depth", preset.depth, "8 or 16 bits a channel (8)")->check(CLI::IsMember({8, 16}));
-  command->add_flag("--transparent", preset.transparent,
-                    "Only what grows and stands there, on a transparent background");
-  add_assets(command, preset.assets);
 }
 
 void add_mutations(CLI::App* command, int& mutations) {

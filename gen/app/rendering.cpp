@@ -51,6 +51,8 @@ void add_draw(CLI::App& app, int& result) {
   auto* command =
       app.add_subcommand("draw", "Draws what grows in ink, with outlines and hatching, without POV-Ray");
   add_preset(command, to->preset);
+  add_size(command, to->preset);
+  add_print(command, to->preset);
   command->add_option("-o,--out", to->out, "Folder to write to (out/<preset name>/drawn)");
   command->add_option("--frames", to->frames, "A-B: only these frames (the last)");
   command->add_option("--pen", to->pen, "N: lines so many times as wide as usual (1)")
@@ -114,6 +116,7 @@ void add_render(CLI::App& app, int& result) {
   auto* command =
       app.add_subcommand("render", "From a preset to a film or a still: generates, renders, encodes");
   add_preset(command, to->preset);
+  add_pictures(command, to->preset);
   command->get_option("preset")->required(false)->description(
       "The preset, a JSON file; without it, which there are");
   add_run(command, *to);
@@ -158,6 +161,7 @@ void add_sheet(CLI::App& app, int& result) {
   auto* command =
       app.add_subcommand("sheet", "A sheet of labelled stills of a preset, over seeds or over a value of it");
   add_preset(command, to->preset);
+  add_pictures(command, to->preset);
   add_run(command, *to);
   add_sweeps(command, *to);
   command->footer(
@@ -220,6 +224,7 @@ void add_farm(CLI::App& app, int& result) {
   auto* command = app.add_subcommand(
       "farm", "Renders a film on many machines: by Slurm, over ssh, or on a farm that reads job files");
   add_preset(command, to->preset);
+  add_pictures(command, to->preset);
   command->add_option("-o,--out", to->out,
                       "DIR: where to (out/<preset name>), on a disk that all machines see");
   command->add_option("--frames", to->frames, "A-B: only these frames");

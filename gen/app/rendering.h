@@ -12,6 +12,11 @@ namespace frond {
 /// Options that several commands have: `--assets`, and a preset with what is set of it.
 void add_assets(CLI::App* command, std::optional<std::string>& assets);
 void add_preset(CLI::App* command, PresetArguments& preset);
+/// Of those to whose results it matters: how large and fine pictures are; also their size on paper and what is
+/// behind them; also which part of them is drawn, and how deep.
+void add_size(CLI::App* command, PresetArguments& preset);
+void add_print(CLI::App* command, PresetArguments& preset);
+void add_pictures(CLI::App* command, PresetArguments& preset);
 /// Options of a grammar; returns that of the steps, which may take a further check.
 CLI::Option* add_grammar(CLI::App* command, GrammarArguments& grammar);
 void add_mutations(CLI::App* command, int& mutations);

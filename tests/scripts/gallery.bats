@@ -1,5 +1,7 @@
 # scripts/gallery.sh in a folder of its own, which holds two small presets. POV-Ray only pretends.
 
+bats_require_minimum_version 1.5.0
+
 setup() {
   load common
   need_frond

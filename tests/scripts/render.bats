@@ -349,6 +349,6 @@ SH
   run "$RENDER" "$name.json" --frames 1-2
   echo "$output"
   [ "$status" -eq 0 ]
-  [ -s "out/$name/$name.mp4" ]
+  [ -s "out/$name/film.mp4" ]
   python3 -c 'import json,sys; json.loads(open(b"out/b\xe4um/manifest.json", encoding="utf-8").read())'
 }
