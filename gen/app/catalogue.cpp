@@ -10,12 +10,12 @@
 #include "core/figures.h"
 #include "core/files.h"
 #include "core/printable.h"
+#include "draw/sizes.h"
 #include "estimate/estimate_cost.h"
 #include "grammar/symbols.h"
 #include "preset/json.h"
 #include "scene/describe.h"
 #include "scene/scene.h"
-#include "scene/sizes.h"
 
 // What there is and how large it is: check, info, list, schema.
 
@@ -81,13 +81,17 @@ int check(const std::vector<std::string>& paths, const std::optional<std::string
   return result;
 }
 
-int info(const PresetArguments& arguments, const std::optional<std::string>& frames, bool json, bool sizes) {
-  if (is_grammar(arguments.path)) return info_grammar(arguments.path, arguments.assets, json);
+int info(const InfoArguments& to) {
+  const PresetArguments& arguments = to.preset;
+  if (is_grammar(arguments.path)) return info_grammar(arguments.path, arguments.assets, to.json);
   Result<Preset> preset = load_preset(arguments);
   if (!preset) return fail(preset.errors(), kWrongInput);
   tell_notes(preset->notes);
-  Result<FrameRange> asked = read_frames(frames, preset->film.frames, {1, preset->film.frames});
+  Result<FrameRange> asked = read_frames(to.frames, preset->film.frames, {1, preset->film.frames});
   if (!asked) return fail(asked.errors(), kWrongInput);
+  Result<int> frame = read_frame(to.frame, preset->film.frames);
+  if (!frame) return fail(frame.errors(), kWrongInput);
+  bool json = to.json, sizes = to.sizes || to.frame > 0;
   preset->film.raw = is_resolved(preset->film, std::nullopt);
   FrameRange range = drawn_frames(preset->film, *asked);
   Result<CostEstimate> estimate = estimate_cost(*preset, range.last - range.first + 1);
@@ -100,7 +104,9 @@ int info(const PresetArguments& arguments, const std::optional<std::string>& fra
     now_doing("growing what stands in the scene");
     Result<Scene> scene = build_scene(*preset);
     if (!scene) return fail(scene.errors(), kWrongInput);
-    grown = sizes_of(*scene, *preset);
+    Result<std::vector<GrownSize>> there = sizes_of(*scene, *preset, preset->film.time(*frame));
+    if (!there) return fail(there.errors(), kCouldNot);
+    grown = std::move(*there);
   }
   Pace pace = pace_of(fs::path(arguments.path).stem().string());
   double render = pace.factor * f.frames * f.render_seconds;

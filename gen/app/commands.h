@@ -51,6 +51,14 @@ struct LookArguments {
   int frame = 0;    ///< 0: the last
 };
 
+struct InfoArguments {
+  PresetArguments preset;             ///< or a grammar
+  std::optional<std::string> frames;  ///< A-B
+  bool json = false;                  ///< for machines
+  bool sizes = false;                 ///< grows it and says how large all is
+  int frame = 0;                      ///< that sizes are of, which it asks for; 0: the last
+};
+
 struct PassesArguments {
   PresetArguments preset;
   std::string out;                    ///< folder; empty: out/<preset name>/passes
@@ -206,6 +214,7 @@ struct TaskArguments {
 struct GalleryArguments {
   std::string out = "out/gallery";  ///< folder of what pictures are made of
   bool large = false;               ///< the best of them, large
+  bool stale = false;               ///< renders nothing, and names those that do not show what is there now
   std::vector<std::string> names;   ///< of pictures; none: all
 };
 
@@ -214,7 +223,6 @@ struct NewArguments {
   std::string from;               ///< a kind, the file of a preset, or the name of one that is shipped
   std::string program = "frond";  ///< as it was called, for what is said to come next
   bool quiet = false;
-  bool stale = false;               ///< renders nothing, and names those that do not show what is there now
 };
 
 struct ImportArguments {
@@ -244,8 +252,7 @@ int develop_picture(const DevelopArguments& arguments);
 int export_scene(const ExportArguments& arguments);
 int export_include(const ExportArguments& arguments);
 int check(const std::vector<std::string>& paths, const std::optional<std::string>& assets);
-/// `frames` as in `--frames`.
-int info(const PresetArguments& arguments, const std::optional<std::string>& frames, bool json, bool sizes);
+int info(const InfoArguments& arguments);
 int list_files(const PresetArguments& arguments);
 int farm(const FarmArguments& arguments);
 int info_grammar(const std::string& path, const std::optional<std::string>& assets, bool json);

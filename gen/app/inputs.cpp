@@ -203,6 +203,12 @@ Result<FrameRange> read_frames(const std::optional<std::string>& text, int count
   return text ? read_frames(*text, count) : usual;
 }
 
+Result<int> read_frame(int asked, int count) {
+  if (asked > count)
+    return Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", asked, count)};
+  return asked == 0 ? count : asked;
+}
+
 FrameRange drawn_frames(const Film& film, FrameRange wanted) {
   int around = film.raw ? ResolveOptions{}.window : 0;
   return {std::max(wanted.first - around, 1), std::min(wanted.last + around, film.frames)};

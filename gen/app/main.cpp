@@ -177,20 +177,21 @@ void add_check(CLI::App& app, int& result) {
 }
 
 void add_info(CLI::App& app, int& result) {
-  auto preset = std::make_shared<PresetArguments>();
-  auto frames = std::make_shared<std::optional<std::string>>();
-  auto json = std::make_shared<bool>(false), sizes = std::make_shared<bool>(false);
+  auto to = std::make_shared<InfoArguments>();
   auto* command =
       app.add_subcommand("info", "Estimates how large a preset's scene or a grammar's word will be");
-  add_preset(command, *preset);
-  command->add_option("--frames", *frames, "A-B: of a film only these frames");
-  command->add_flag("--json", *json, "For machines");
-  command->add_flag("--sizes", *sizes,
+  add_preset(command, to->preset);
+  add_size(command, to->preset);
+  command->add_option("--frames", to->frames, "A-B: of a film only these frames");
+  command->add_flag("--json", to->json, "For machines");
+  command->add_flag("--sizes", to->sizes,
                     "Grows it and says how high and wide each organism has become, and its stem");
+  command->add_option("--frame", to->frame, "Of --sizes: in which frame (the last)")
+      ->check(CLI::Range(1, 1'000'000));
   command->footer(
-      "Examples:\n  frond info presets/reef.json --json\n  frond info presets/trees/oak.json --sizes");
-  command->callback(
-      [&result, preset, frames, json, sizes] { result = info(*preset, *frames, *json, *sizes); });
+      "Examples:\n  frond info presets/reef.json --json\n  frond info presets/trees/oak.json --sizes\n"
+      "  frond info presets/garden/grammar_palm.json --sizes --frame 60");
+  command->callback([&result, to] { result = info(*to); });
 }
 
 void add_files(CLI::App& app, int& result) {
