@@ -80,12 +80,15 @@ Errors Gallery::write_scene(const Still& still, const fs::path& folder) const {
   return call(words);
 }
 
-/// Renders a picture in a folder, unless it is there and nothing has changed; its path.
-Result<fs::path> Gallery::still(const Still& still, const fs::path& folder) const {
+/// Renders a picture in a folder, unless it is there and nothing has changed.
+Result<Rendered> Gallery::still(const Still& still, const fs::path& folder) const {
   if (Errors errors = write_scene(still, folder); !errors.empty()) return errors;
+  // Before it is rendered: what is a frame's own may go then.
+  Result<std::string> id = scene_id(root_, folder / "frames", scenes_of(folder, still.frame));
+  if (!id) return id.errors();
   std::string picture = "frames/" + frame_name(still.frame) + ".png";
   if (Errors errors = call({"ninja", picture}, folder); !errors.empty()) return errors;
-  return folder / picture;
+  return Rendered{folder / picture, std::move(*id)};
 }
 
 /// Makes docs/gallery/NAME.jpg, and says so.
@@ -106,34 +109,20 @@ std::vector<Still> Gallery::stills_of(const GalleryPicture& picture, bool large)
   return stills;
 }
 
-/// A hash of the scenes of stills, each in its folder.
-Result<std::string> Gallery::id_of(const std::vector<Still>& stills,
-                                   const std::vector<fs::path>& folders) const {
-  std::string all;
-  for (std::size_t i = 0; i < stills.size(); ++i) {
-    Result<std::string> id = scene_id(root_, folders[i] / "frames", scenes_of(folders[i], stills[i].frame));
-    if (!id) return id;
-    all += *id + "\n";
-  }
-  return content_id(all);
-}
-
 Errors Gallery::picture(const GalleryPicture& picture, bool large) {
   JpegJob job{{}, large ? large_size(picture.size) : picture.size, picture.columns, ""};
   std::string made = picture.name + (large ? "-large" : ""),
               name = std::string(large ? kLargePrefix : "") + picture.name;
   std::vector<Still> stills = stills_of(picture, large);
-  std::vector<fs::path> folders;
+  std::string ids;
   for (const Still& one : stills) {
-    folders.push_back(work_ / fmt::format("{}-{}", made, folders.size()));
-    Result<fs::path> file = still(one, folders.back());
-    if (!file) return file.errors();
-    job.pictures.push_back(*file);
+    Result<Rendered> part = still(one, work_ / fmt::format("{}-{}", made, job.pictures.size()));
+    if (!part) return part.errors();
+    job.pictures.push_back(part->picture);
+    ids += part->scene_id + '\n';
   }
-  Result<std::string> id = id_of(stills, folders);
-  if (!id) return id.errors();
   if (Errors errors = show(job, work_ / (made + ".jpg"), name); !errors.empty()) return errors;
-  if (Errors errors = note_scene_id(root_, name, *id); !errors.empty()) return errors;
+  if (Errors errors = note_scene_id(root_, name, content_id(ids)); !errors.empty()) return errors;
   return large ? Errors{} : note_row(picture);
 }
 
@@ -243,20 +232,20 @@ Result<std::vector<Still>> Gallery::write_grammars() const {
 }
 
 /// The picture of a grammar with its name below it.
-Result<fs::path> Gallery::grammar(const Still& one) const {
+Result<Rendered> Gallery::grammar(const Still& one) const {
   std::string name = one.preset.stem();
   fs::path place = work_ / kGrammarSheet / name;
-  Result<fs::path> picture = still(one, place);
+  Result<Rendered> picture = still(one, place);
   if (!picture) return picture;
   // Names are of letters, digits, dashes and underscores, which need no quotes in a filter.
   Errors errors = call({environment_or("FROND_FFMPEG", "ffmpeg"), "-y", "-nostdin", "-loglevel", "error",
-                        "-i", "file:" + picture->string(), "-vf",
+                        "-i", "file:" + picture->picture.string(), "-vf",
                         fmt::format("format=rgb24,pad=iw:ih+28:0:0:0x202020,drawtext=text={}:fontcolor=white:"
                                     "fontsize='clip(w/14,8,16)':x='max(0,(w-tw)/2)':y=h-20",
                                     name),
                         "file:" + place.string() + ".png"});
   if (!errors.empty()) return errors;
-  return fs::path(place.string() + ".png");
+  return Rendered{place.string() + ".png", std::move(picture->scene_id)};
 }
 
 Errors Gallery::grammars() {
@@ -265,19 +254,17 @@ Errors Gallery::grammars() {
   Result<std::vector<Still>> stills = write_grammars();
   if (!stills) return stills.errors();
   SheetJob sheet{{}, work_ / "grammars.png", kColumns, kWidth, environment_or("FROND_FFMPEG", "ffmpeg")};
-  std::vector<fs::path> folders;
+  std::string ids;
   for (const Still& one : *stills) {
-    Result<fs::path> picture = grammar(one);
+    Result<Rendered> picture = grammar(one);
     if (!picture) return picture.errors();
-    folders.push_back(work_ / kGrammarSheet / one.preset.stem());
-    sheet.pictures.push_back(*picture);
+    sheet.pictures.push_back(picture->picture);
+    ids += picture->scene_id + '\n';
   }
-  Result<std::string> id = id_of(*stills, folders);
-  if (!id) return id.errors();
   if (Errors errors = tile_sheet(sheet); !errors.empty()) return errors;
   std::string name(kGrammarSheet);
   Errors errors = show({{sheet.sheet}, {}, 1, ""}, work_ / (name + ".jpg"), name);
-  return errors.empty() ? note_scene_id(root_, name, *id) : errors;
+  return errors.empty() ? note_scene_id(root_, name, content_id(ids)) : errors;
 }
 
 /// Writes docs/gallery.md. What was not rendered now keeps its row.

@@ -17,6 +17,12 @@ namespace frond {
 inline constexpr std::string_view kGrammarSheet = "grammars", kExamplePrefix = "example-",
                                   kLargePrefix = "large/";
 
+/// A picture that was rendered, and a hash of the scene that it shows.
+struct Rendered {
+  std::filesystem::path picture;
+  std::string scene_id;
+};
+
 /// The pictures of docs/gallery, made from the presets as they are.
 class Gallery {
  public:
@@ -44,7 +50,7 @@ class Gallery {
   std::vector<std::filesystem::path> scenes() const;
   Errors call(std::vector<std::string> words, const std::filesystem::path& folder = {}) const;
   Errors write_scene(const Still& still, const std::filesystem::path& folder) const;
-  Result<std::filesystem::path> still(const Still& still, const std::filesystem::path& folder) const;
+  Result<Rendered> still(const Still& still, const std::filesystem::path& folder) const;
   std::vector<Still> stills_of(const GalleryPicture& picture, bool large) const;
   Errors picture(const GalleryPicture& picture, bool large);
   Errors note_row(const GalleryPicture& picture) const;
@@ -56,10 +62,8 @@ class Gallery {
                                      const std::filesystem::path& folder) const;
   Errors example(const std::filesystem::path& scene, const std::string& name) const;
   Result<std::vector<Still>> write_grammars() const;
-  Result<std::filesystem::path> grammar(const Still& one) const;
+  Result<Rendered> grammar(const Still& one) const;
   Errors show(JpegJob job, const std::filesystem::path& scratch, const std::string& name) const;
-  Result<std::string> id_of(const std::vector<Still>& stills,
-                            const std::vector<std::filesystem::path>& folders) const;
   Result<std::string> id_now(const std::vector<Still>& stills, const std::string& name) const;
   Result<std::string> example_id(const std::filesystem::path& scene,
                                  const std::filesystem::path& folder) const;

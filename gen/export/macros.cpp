@@ -78,7 +78,8 @@ std::vector<std::string> pieces_of(const MacroFiles& files) {
   std::vector<std::string> pieces;
   for (const auto& [name, content] : files) {
     pieces.emplace_back();
-    for (std::string_view line : lines_of(uncommented(content))) {
+    const std::string plain = uncommented(content);
+    for (std::string_view line : lines_of(plain)) {
       if (!declared(line).empty()) pieces.emplace_back();
       pieces.back() += line;
     }
