@@ -14,6 +14,7 @@ FROND, ROOT = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
 PRESETS = os.path.join(ROOT, "tests", "presets")
 STILL = os.path.join(PRESETS, "tiny_still.json")
 FILM = os.path.join(PRESETS, "tiny_film.json")
+PLANT = os.path.join(PRESETS, "tiny_plant.json")
 TREE = os.path.join(ROOT, "presets", "aspen.json")
 PLAN = os.path.join(ROOT, "presets", "garden", "walled.json")
 WOOD = os.path.join(ROOT, "presets", "forest", "clearing.json")
@@ -26,22 +27,28 @@ ELSEWHERE = {"render", "sheet", "farm", "resolve", "gallery", "studio", "task", 
              "confine", "check", "describe", "new", "import", "list", "schema"}
 
 SIZE = {"--size": "48x32", "--scale": "2", "--quality": "best"}
-PRINT = {"--print": "1cm", "--dpi": ["--print=1cm", "--dpi=72"], "--transparent": None}
+PRINT = {"--print": "1cm", "--transparent": None}
 PICTURES = {**SIZE, **PRINT, "--crop": "0,0,50%x50%", "--depth": "16"}
 SEED = {"--set": "/seed=77"}
 
-# Of each command: the words of a call, and for each option its value (None: a flag) or the words that hold it.
+# Of each command: the words of a call, and for each option its value (None: a flag), or all words of another call,
+# the last of which is the option.
 COMMANDS = {
     "generate": ([FILM, "-o", "out", "-q", "--no-resolve"],
-                 {**SEED, **PICTURES, "--frames": "2-3", "--resolve": None, "--no-resolve": None, "--alone": None,
-                  "--film-only": None}),
+                 {**SEED, **PICTURES, "--frames": "2-3", "--film-only": None,
+                  "--dpi": [FILM, "-o", "out", "-q", "--print=1cm", "--dpi=72"],
+                  "--resolve": [FILM, "-o", "out", "-q", "--resolve"],
+                  "--no-resolve": [FILM, "-o", "out", "-q", "--quality=good", "--no-resolve"],
+                  "--alone": [FILM, "-o", "out", "-q", "--resolve", "--frames=3-3", "--alone"]}),
     "look": ([FILM, "-o", "out/look.png"], {**SEED, **SIZE, "--frame": "2"}),
     "passes": ([FILM, "-o", "out"], {**SEED, **SIZE, "--frames": "2", "--side": "2", "--albedo": None, "--views": None}),
-    "draw": ([FILM, "-o", "out"], {**SEED, **SIZE, **PRINT, "--frames": "2", "--pen": "3", "--hatch": "9"}),
+    "draw": ([FILM, "-o", "out"], {**SEED, **SIZE, **PRINT, "--frames": "2", "--pen": "3", "--hatch": "9",
+                                     "--dpi": [FILM, "-o", "out", "--print=1cm", "--dpi=72"]}),
     "export": ([FILM, "-o", "out/a.glb", "-q"],
-               {**SEED, "--frame": "2", "--frames": "1-3", "--keys": ["--frames=1-6", "--keys=2"], "--seeds": "2",
-                "--sides": "4", "--voxel": ["-o", "out/a.vdb", "--voxel=0.05"], "--detail": "400", "--lods": "2",
-                "--texture": "64", "--instances": None}),
+               {**SEED, "--frame": "2", "--frames": "1-3", "--seeds": "2", "--sides": "4", "--detail": "400",
+                "--lods": "2", "--texture": "64", "--keys": [FILM, "-o", "out/a.glb", "--frames=1-6", "--keys=2"],
+                "--voxel": [FILM, "-o", "out/a.vdb", "--voxel=0.05"],
+                "--instances": [PLANT, "-o", "out/a.glb", "--instances"]}),
     "info": ([FILM], {**SEED, **SIZE, "--frames": "1-2", "--json": None, "--sizes": None, "--frame": "2"}),
     "files": ([STILL], {"--set": "/base=" + FILM}),
     "plan": ([PLAN, "-o", "out/plan.svg"], {**SEED, "--seeds": "2"}),
@@ -87,7 +94,7 @@ def result_of(command, words):
 
 def words_with(words, option, value):
     if isinstance(value, list):
-        return words + value
+        return value
     drop = option in words  # where the call has it with another value
     kept = [w for i, w in enumerate(words) if not (drop and (w == option or (i and words[i - 1] == option)))]
     return kept + ([option] if value is None else [f"{option}={value}"])
@@ -104,11 +111,9 @@ def main():
             if option not in shown or (command, option) in ONLY_OF_SOME:
                 continue
             base = usual
-            if isinstance(value, list):  # of an option that goes with another one: what that alone does
-                base, _ = result_of(command, words + value[:-1])
-            if option == "--no-resolve":
-                base, _ = result_of(command, [w for w in words if w != option] + ["--quality=good"])
-            got, said = result_of(command, words_with(words, option, value) + (["--quality=good"] if option == "--no-resolve" else []))
+            if isinstance(value, list):
+                base, _ = result_of(command, value[:-1])
+            got, said = result_of(command, words_with(words, option, value))
             if got == base:
                 faults.append(f"{command} {option}: changes nothing")
             elif "Run with --help" in said:

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/gallery.h"
+#include "app/messages.h"
 #include "app/streams.h"
 #include "core/content.h"
 #include "core/files.h"
