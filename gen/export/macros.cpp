@@ -65,8 +65,9 @@ Owners owners_of(const MacroFiles& files) {
 std::string uncommented(std::string_view text) {
   std::string plain;
   for (std::string_view line : lines_of(text)) {
-    line = line.substr(0, std::min(line.find("//"), line.find_last_not_of(" \n") + 1));
-    if (line.find_first_not_of(' ') == line.npos) continue;
+    line = line.substr(0, line.find("//"));
+    line = line.substr(0, line.find_last_not_of(" \n") + 1);
+    if (line.empty()) continue;
     plain += line;
     plain += '\n';
   }
