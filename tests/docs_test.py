@@ -112,6 +112,9 @@ def check_lines():
         scratch = pathlib.Path(name)
         env = environment(scratch)
         (scratch / "tree.json").write_text('{"axiom": "A", "steps": 3, "angle": 30, "rules": ["A -> F[+A]F[-A]A"]}')
+        (scratch / "curves.l").write_text("Koch { Angle 6\n Axiom F--F--F\n F=F+F--F+F\n}\nOdd { Angle 5\n Axiom F\n F=F|F\n}\n")
+        (scratch / "vine.swc").write_text("1 3 0 0 0 0.05 -1\n2 3 0 0.5 0.1 0.04 1\n3 3 0.2 0.5 0.8 0.02 2\n")
+        (scratch / "scan.swc").write_text("1 3 0 0 0 0.05 -1\n2 3 0 0.1 0.5 0.04 1\n3 3 0.2 0.3 0.9 0.02 2\n")
         (scratch / "plant.l").write_text("Lsystem: 1\nderivation length: 3\nAxiom: A\nA --> F[+A]A\nendlsystem\n")
         for page in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]:
             if ONLY and page.stem not in ONLY:

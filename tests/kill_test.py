@@ -75,7 +75,7 @@ def kill_generate(folder):
     whole = folder / "whole"
     run = start(command(whole, 1))
     ends = follow(run)
-    assert run.wait() == 0 and list(ends) == ["place", "grow", "texture", "models", "frames"], ends
+    assert run.wait() == 0 and list(ends) == ["place", "grow", "surround", "texture", "models", "frames"], ends
     expected = files(whole)
     # What is there before a phase, from earlier runs, so that the phase is what a run does after growing.
     before = {"models": ["*.png"], "frames": ["*.png", "model_*.inc"]}
@@ -90,7 +90,7 @@ def kill_generate(folder):
             for _ in range(IN_A_ROW):
                 run = start(command(out, 2))
                 if phase != "place":
-                    follow(run, "place" if phase == "grow" else "grow")
+                    follow(run, {"grow": "place", "surround": "grow"}.get(phase, "surround"))
                 time.sleep(chance.uniform(0, ends[phase] - begins[phase]))
                 kill(run, chance.choice([signal.SIGKILL, signal.SIGTERM]))
             when = f"killed in phase {phase}, times {number} and before"

@@ -19,7 +19,7 @@ KINDS = "organisms"
 
 # What only some files may include: header -> who may.
 RESERVED = {
-    "nlohmann/": lambda path: path.parent.name == "studio",
+    "nlohmann/": lambda path: path.parent.name == "studio" or (path.parent.name, path.name) == ("geometry", "glb.cpp"),
     "httplib.h": lambda path: path.parent.name == "studio" and path.stem in ("server", "connections", "wire"),
     "tbb/": lambda path: path.parent.name == "core" and path.name == "parallel.cpp",
     "oneapi/tbb": lambda path: path.parent.name == "core" and path.name == "parallel.cpp",

@@ -93,7 +93,7 @@ void Openness::mark(Level& level) {
     for (int y = 0; y + 1 < high; ++y) {
       const float* front = level.held.data() + (z * high + y) * wide;
       const float* back = front + wide * high;
-      char* anything = level.anything.data() + (z * high + y) * wide;
+      char* anything = level.anything.data() + (std::ptrdiff_t{z} * high + y) * wide;
       auto column = [&](int x) { return front[x] + front[x + wide] + back[x] + back[x + wide]; };
       for (int x = 0; x + 1 < wide; ++x) anything[x] = column(x) + column(x + 1) > 0;
     }
@@ -106,12 +106,12 @@ inline float Openness::held_at(const Level& level, Vec3 at) {
   if (!(at.x >= 0 && at.y >= 0 && at.z >= 0)) return 0;
   int x = static_cast<int>(at.x), y = static_cast<int>(at.y), z = static_cast<int>(at.z);
   if (x + 1 >= wide || y + 1 >= high || z + 1 >= deep) return 0;
-  int cell = (z * high + y) * wide + x;
+  std::ptrdiff_t cell = (std::ptrdiff_t{z} * high + y) * wide + x;
   if (!level.anything[static_cast<std::size_t>(cell)]) return 0;
   Vec3 t = at - Vec3(x, y, z);
   const float* held = level.held.data() + cell;
   auto row = [&](int v, int w) {
-    const float* cells = held + (w * high + v) * wide;
+    const float* cells = held + (std::ptrdiff_t{w} * high + v) * wide;
     return cells[0] * (1 - t.x) + cells[1] * t.x;
   };
   float front = row(0, 0) * (1 - t.y) + row(1, 0) * t.y;

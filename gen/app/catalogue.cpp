@@ -4,18 +4,19 @@
 #include <set>
 
 #include "app/commands.h"
+#include "app/heartbeat.h"
 #include "app/inputs.h"
 #include "app/pace.h"
 #include "app/streams.h"
 #include "core/figures.h"
 #include "core/files.h"
 #include "core/printable.h"
+#include "draw/sizes.h"
 #include "estimate/estimate_cost.h"
 #include "grammar/symbols.h"
 #include "preset/json.h"
 #include "scene/describe.h"
 #include "scene/scene.h"
-#include "scene/sizes.h"
 
 // What there is and how large it is: check, info, list, schema.
 
@@ -65,12 +66,15 @@ std::string sizes_json(const std::vector<GrownSize>& sizes) {
 
 }  // namespace
 
-int check(const std::vector<std::string>& paths, const std::optional<std::string>& assets) {
+int check(const std::vector<std::string>& paths, const PresetArguments& common) {
   int result = kDone;
   for (const std::string& path : paths) {
-    PresetArguments named;
+    PresetArguments named = common;
     named.path = path;
-    named.assets = assets;
+    if (std::error_code error; fs::exists(path, error) && is_grammar(path)) {
+      if (int code = check_grammar(named); code != kDone) result = code;
+      continue;
+    }
     Result<Preset> preset = load_preset(named);
     if (preset) {
       tell_notes(preset->notes);
@@ -81,15 +85,21 @@ int check(const std::vector<std::string>& paths, const std::optional<std::string
   return result;
 }
 
-int info(const PresetArguments& arguments, const std::optional<std::string>& frames, bool json, bool sizes) {
-  if (is_grammar(arguments.path)) return info_grammar(arguments.path, arguments.assets, json);
+int info(const InfoArguments& to) {
+  const PresetArguments& arguments = to.preset;
+  if (is_grammar(arguments.path)) return info_grammar(arguments.path, arguments.assets, to.json);
+  Heartbeat heartbeat;
   Result<Preset> preset = load_preset(arguments);
   if (!preset) return fail(preset.errors(), kWrongInput);
   tell_notes(preset->notes);
-  Result<FrameRange> asked = read_frames(frames, preset->film.frames, {1, preset->film.frames});
+  Result<FrameRange> asked = read_frames(to.frames, preset->film.frames, {1, preset->film.frames});
   if (!asked) return fail(asked.errors(), kWrongInput);
+  Result<int> frame = read_frame(to.frame, preset->film.frames);
+  if (!frame) return fail(frame.errors(), kWrongInput);
+  bool json = to.json, sizes = to.sizes || to.frame > 0;
   preset->film.raw = is_resolved(preset->film, std::nullopt);
   FrameRange range = drawn_frames(preset->film, *asked);
+  now_doing("estimating how much there will be");
   Result<CostEstimate> estimate = estimate_cost(*preset, range.last - range.first + 1);
   if (!estimate) return fail(estimate.errors(), kWrongInput);
   const CostEstimate& f = *estimate;
@@ -100,9 +110,11 @@ int info(const PresetArguments& arguments, const std::optional<std::string>& fra
     now_doing("growing what stands in the scene");
     Result<Scene> scene = build_scene(*preset);
     if (!scene) return fail(scene.errors(), kWrongInput);
-    grown = sizes_of(*scene, *preset);
+    Result<std::vector<GrownSize>> there = sizes_of(*scene, *preset, preset->film.time(*frame));
+    if (!there) return fail(there.errors(), kCouldNot);
+    grown = std::move(*there);
   }
-  Pace pace = pace_of(fs::path(arguments.path).stem().string());
+  Pace pace = pace_of(pace_key(arguments.path));
   double render = pace.factor * f.frames * f.render_seconds;
   if (json)
     put(

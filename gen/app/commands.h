@@ -15,6 +15,7 @@ enum ExitCode {
   kCouldNot = 1,
   kWrongInput = 2,
   kNoLandlock = 3,
+  kNothingGrown = 4,
   kInterrupted = 130,
   kStopped = 143
 };
@@ -26,6 +27,8 @@ struct PresetArguments {
   std::optional<std::string> size;     ///< WxH
   std::optional<double> scale;         ///< multiplies the size, 1..16
   std::optional<std::string> quality;  ///< draft, good or best
+  std::optional<double> fps;           ///< frames a second
+  std::optional<double> seconds;       ///< how long the film is
   std::optional<std::string> assets;   ///< the only folder to read from besides the preset's own
   std::optional<std::string> print;    ///< size on paper: 20cm, 20x15cm, 8in
   std::optional<double> dpi;           ///< pixels an inch
@@ -49,6 +52,14 @@ struct LookArguments {
   PresetArguments preset;
   std::string out;  ///< PNG file; empty: <preset name>_look.png
   int frame = 0;    ///< 0: the last
+};
+
+struct InfoArguments {
+  PresetArguments preset;             ///< or a grammar
+  std::optional<std::string> frames;  ///< A-B
+  bool json = false;                  ///< for machines
+  bool sizes = false;                 ///< grows it and says how large all is
+  int frame = 0;                      ///< that sizes are of, which it asks for; 0: the last
 };
 
 struct PassesArguments {
@@ -112,6 +123,7 @@ struct GrammarArguments {
   std::optional<std::uint64_t> seed;   ///< the same
   std::optional<double> angle;         ///< degrees, of turns without a parameter
   int mutations = 0;                   ///< of a grammar of LParser
+  std::string system = {};             ///< which of several L-systems in a file of Fractint
   bool counts = false;                 ///< how often each symbol occurs, instead of the word
   std::optional<std::string> picture;  ///< SVG file to write: the derivation tree, or what the turtle draws
   std::optional<std::string> assets;   ///< as of a preset
@@ -206,6 +218,7 @@ struct TaskArguments {
 struct GalleryArguments {
   std::string out = "out/gallery";  ///< folder of what pictures are made of
   bool large = false;               ///< the best of them, large
+  bool stale = false;               ///< renders nothing, and names those that do not show what is there now
   std::vector<std::string> names;   ///< of pictures; none: all
 };
 
@@ -222,6 +235,8 @@ struct ImportArguments {
   std::optional<int> steps;           ///< none: as many as the file says
   std::optional<std::uint64_t> seed;  ///< instead of the grammar's
   int mutations = 0;                  ///< of a grammar of LParser
+  std::string system = {};            ///< which of several L-systems in a file of Fractint
+  bool z_up = false;                  ///< of a skeleton: its z is up
 };
 
 struct StudioArguments {
@@ -242,12 +257,14 @@ int draw_ink(const DrawArguments& arguments);
 int develop_picture(const DevelopArguments& arguments);
 int export_scene(const ExportArguments& arguments);
 int export_include(const ExportArguments& arguments);
-int check(const std::vector<std::string>& paths, const std::optional<std::string>& assets);
-/// `frames` as in `--frames`.
-int info(const PresetArguments& arguments, const std::optional<std::string>& frames, bool json, bool sizes);
+/// `common` is what is set of all of them; its path is empty.
+int check(const std::vector<std::string>& paths, const PresetArguments& common);
+int info(const InfoArguments& arguments);
 int list_files(const PresetArguments& arguments);
 int farm(const FarmArguments& arguments);
 int info_grammar(const std::string& path, const std::optional<std::string>& assets, bool json);
+/// Checks a grammar; says that it is one, and what it is for.
+int check_grammar(const PresetArguments& arguments);
 int derive_word(const GrammarArguments& arguments);
 int walk_turtle(const GrammarArguments& arguments);
 int draw_plans(const PlanArguments& arguments);

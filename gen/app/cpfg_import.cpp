@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -6,6 +7,7 @@
 #include "app/imported_preset.h"
 #include "app/messages.h"
 #include "cpfg/cpfg.h"
+#include "cpfg/view.h"
 
 // A preset of a model of cpfg: import.
 
@@ -18,9 +20,16 @@ namespace {
 /// Three numbers of a line of the view.
 std::optional<DVec3> vector_in(const CpfgModel& model, std::string_view key) {
   for (const CpfgViewLine& line : model.view) {
-    DVec3 v;
-    if (line.key == key && std::sscanf(line.value.c_str(), "%lf , %lf , %lf", &v.x, &v.y, &v.z) == 3)
-      return v;
+    if (line.key != key) continue;
+    std::vector<double> numbers;
+    for (std::string_view rest = line.value; !rest.empty();) {
+      std::string_view part = rest.substr(0, rest.find(','));
+      std::vector<std::string> words = cpfg::words_in(part);
+      if (words.size() != 1) break;
+      numbers.push_back(cpfg::leading_number(words[0]));
+      rest.remove_prefix(std::min(part.size() + 1, rest.size()));
+    }
+    if (numbers.size() == 3) return DVec3{numbers[0], numbers[1], numbers[2]};
   }
   return std::nullopt;
 }

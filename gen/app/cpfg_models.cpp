@@ -9,6 +9,7 @@
 #include "app/streams.h"
 #include "core/files.h"
 #include "cpfg/cpfg.h"
+#include "grammar/kind.h"
 #include "grammar/picture.h"
 
 namespace frond {
@@ -83,7 +84,10 @@ std::string measures(const CpfgFigure& figure) {
 
 }  // namespace
 
-bool is_cpfg_model(const std::string& path) { return path.ends_with(".l") || path.ends_with(".lpy"); }
+bool is_cpfg_model(const std::string& path) {
+  Result<std::string> text = read_file(path);
+  return grammar_kind(path, text ? *text : "") == GrammarKind::cpfg;
+}
 
 int info_cpfg(const GrammarArguments& arguments, bool json) {
   Result<DerivedModel> made = derive_model(arguments, true);

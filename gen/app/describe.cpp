@@ -1,14 +1,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <vector>
 
 #include "app/commands.h"
+#include "app/inputs.h"
 #include "app/messages.h"
+#include "app/search.h"
 #include "app/streams.h"
 #include "core/printable.h"
 #include "preset/json.h"
 #include "preset/manual.h"
+#include "preset/synonyms.h"
 #include "scene/describe.h"
 
 // The words of the schema in the terminal: describe.
@@ -53,7 +57,74 @@ std::string contents(const std::vector<Topic>& topics) {
          "\nThen, for instance:\n"
          "  frond describe tree            all properties of a kind\n"
          "  frond describe tree/habit      those of one part of it\n"
-         "  frond describe leaf size       what has to do with these words\n";
+         "  frond describe leaf size       what has to do with these words: properties, presets, pages\n";
+}
+
+constexpr std::size_t kWhole = 12;  // properties that are told as a whole
+constexpr std::size_t kNamed = 40;  // those that are only named
+constexpr std::size_t kOthers = 6;  // presets, and pages
+
+/// The words that are asked for, in small letters.
+std::vector<std::string> asked_words(const std::string& asked) {
+  std::vector<std::string> words;
+  std::string word;
+  for (char c : asked + ' ') {
+    if (c != ' ' && c != '/') {
+      word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      continue;
+    }
+    if (!word.empty()) words.push_back(std::move(word));
+    word.clear();
+  }
+  return words;
+}
+
+/// Properties: the best as a whole, others by their names. Those of a path that was asked for all as a whole.
+std::string properties_text(const std::vector<Topic>& found, bool of_path) {
+  std::string text, more;
+  std::size_t named = 0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (of_path || i < kWhole)
+      text += topic_text(found[i]);
+    else if (++named <= kNamed)
+      more += (more.empty() ? "" : "; ") + found[i].path;
+  }
+  if (named > kNamed) more += fmt::format("; and {} more", named - kNamed);
+  return more.empty() ? text : text + "Also: " + more + "\n";
+}
+
+std::string others_text(const char* heading, const std::vector<Finding>& found) {
+  if (found.empty()) return {};
+  std::string text = std::string(heading) + "\n";
+  for (std::size_t i = 0; i < std::min(found.size(), kOthers); ++i)
+    text += fmt::format("  {:34} {}\n", printable(found[i].where), printable(found[i].says));
+  if (found.size() > kOthers) text += fmt::format("  and {} more\n", found.size() - kOthers);
+  return text;
+}
+
+/// Presets and pages of the docs about some words.
+std::string beside(const std::vector<std::string>& words) {
+  Result<std::filesystem::path> root = home();
+  if (!root || words.empty()) return {};
+  return others_text("Presets", presets_about(*root, words)) +
+         others_text("Pages", pages_about(*root, words));
+}
+
+/// What there is about words that mean about the same as those that are asked for, of which there is nothing.
+std::string about_the_like(const std::vector<Topic>& topics, const std::vector<std::string>& words) {
+  std::string text, names;
+  for (const std::string& word : words)
+    for (const std::string& like : words_like(word)) {
+      std::vector<Topic> found = topics_about(topics, like);
+      std::string own;
+      for (std::size_t i = 0; i < std::min<std::size_t>(found.size(), 3); ++i) own += topic_text(found[i]);
+      if (Result<std::filesystem::path> root = home())
+        own += others_text("Presets", presets_about(*root, {like}));
+      if (own.empty()) continue;
+      names += (names.empty() ? "" : ", ") + like;
+      text += fmt::format("\n{}\n{}", like, own);
+    }
+  return names.empty() ? "" : fmt::format("What comes near in sense: {}\n{}", names, text);
 }
 
 }  // namespace
@@ -74,21 +145,30 @@ int describe_properties(const std::vector<std::string>& words, bool json) {
     put(contents(topics));
     return kDone;
   }
-  if (found.empty()) {
+  std::vector<std::string> list = asked_words(asked);
+  bool of_path = std::ranges::any_of(
+      topics, [&](const Topic& topic) { return topic.path == asked || topic.path.starts_with(asked + "/"); });
+  bool kind = std::ranges::any_of(organism_kinds(), [&](const auto& row) { return row.name == asked; });
+  // A property's own path is a whole answer; a word, or a kind, is one of many things, too.
+  std::string others = asked.find('/') == asked.npos ? beside(list) : "";
+  std::string like = found.empty() ? about_the_like(topics, list) : "";
+  if (found.empty() && others.empty() && like.empty()) {
     std::string near = nearest_topic(topics, asked);
     tell(fmt::format("{}: no property has this name, and none has these words; {}", printable(asked),
                      near.empty() ? "see `frond describe`" : fmt::format("did you mean \"{}\"?", near)));
     return kWrongInput;
   }
-  for (const Topic& topic : found) put(topic_text(topic));
+  if (found.empty()) put(fmt::format("{}: no property has this name\n", printable(asked)));
+  put(properties_text(found, of_path || asked.find('/') != asked.npos));
   // Of a kind, what it shares with all others is only named.
-  if (std::ranges::any_of(organism_kinds(), [&](const auto& row) { return row.name == asked; })) {
+  if (kind) {
     std::string shared;
     for (const Topic& topic : topics)
       if (topic.path.starts_with("organism/") && std::ranges::count(topic.path, '/') == 1)
         shared += (shared.empty() ? "" : ", ") + topic.path.substr(9);
     put(fmt::format("All kinds have {}, too: frond describe organism\n", shared));
   }
+  put(others + like);
   return kDone;
 }
 

@@ -3,7 +3,9 @@
 #include <charconv>
 
 #include "app/commands.h"
+#include "app/heartbeat.h"
 #include "app/inputs.h"
+#include "app/judge.h"
 #include "app/streams.h"
 #include "core/figures.h"
 #include "export/formats.h"
@@ -47,18 +49,16 @@ Errors unfit(const Format& format, const ExportArguments& to) {
   if (!format.films && to.levels > 1)
     return wrong("--lods", "of these formats only .glb holds levels of detail");
   if (to.seeds > 1) return wrong("--seeds", "of these formats only .inc holds several shapes");
-  if (to.frames && to.frame > 0)
-    return wrong("--frames", "does not go with --frame: the last of them is written");
-  if (to.frames && to.levels > 1) return wrong("--frames", "does not go with --lods: only one mesh can move");
-  if (to.instances && (to.frames || to.levels > 1))
-    return wrong("--instances",
-                 "does not go with --frames and --lods, whose meshes are one for each organism");
+  if (to.voxel > 0 && format.write) return wrong("--voxel", "of these formats only .vdb is made of voxels");
+  if (to.sides != ExportArguments{}.sides && !format.write)
+    return wrong("--sides", "a .vdb is a volume, in which branches have no sides");
   return {};
 }
 
 }  // namespace
 
 int export_scene(const ExportArguments& arguments) {
+  Heartbeat heartbeat(arguments.quiet);
   if (arguments.out.ends_with(".inc")) return export_include(arguments);
   Result<const Format*> format = format_of(arguments.out);
   if (!format) return fail(format.errors(), kWrongInput);
@@ -84,14 +84,19 @@ int export_scene(const ExportArguments& arguments) {
     return fail(
         {Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", frame, film.frames)}},
         kWrongInput);
+  if (Errors errors = refuse_file(arguments.out); !errors.empty()) return fail(errors, kCouldNot);
   if (Result<std::filesystem::path> folder = home())
     options.bake = {.home = *folder, .cache = cache_folder() / "materials"};
   now_doing("growing what stands in the scene");
   Result<Scene> scene = build_scene(*preset);
   if (!scene) return fail(scene.errors(), kWrongInput);
 
-  auto estimate_cost = [&](double bytes) {
-    if (!arguments.quiet) tell(fmt::format("{}: about {}", arguments.out, bytes_text(bytes)));
+  auto estimate_cost = [&](const ExportTold& told) {
+    if (arguments.quiet) return;
+    std::string levels;
+    for (double triangles : told.triangles)
+      levels += fmt::format("{}{:.0f}", levels.empty() ? "" : ", ", triangles);
+    tell(fmt::format("{}: about {}; triangles: {}", arguments.out, bytes_text(told.bytes), levels));
   };
   now_doing("writing the mesh or the volume");
   auto written = write_scene(**format, *scene, film.time(frame), options, arguments.out, estimate_cost);
@@ -105,7 +110,8 @@ int export_scene(const ExportArguments& arguments) {
   Errors errors = written.errors();
   bool wrong = errors.front().where.empty();
   if (wrong) errors.front().where = arguments.out;
-  return fail(errors, wrong ? kWrongInput : kCouldNot);
+  bool early = wrong && errors.front().what.starts_with(kNothingYet);
+  return fail(errors, early ? kNothingGrown : wrong ? kWrongInput : kCouldNot);
 }
 
 }  // namespace frond

@@ -2,11 +2,13 @@
 
 #include "app/commands.h"
 #include "app/inputs.h"
+#include "app/judge.h"
 #include "app/streams.h"
 #include "core/figures.h"
 #include "core/files.h"
 #include "core/parallel.h"
 #include "estimate/estimate_cost.h"
+#include "export/formats.h"
 #include "export/include.h"
 #include "film/film_files.h"
 #include "settings/settings.h"
@@ -75,10 +77,27 @@ Result<IncludeVariant> grow_variant(const Preset& preset, const fs::path& out) {
   return variant;
 }
 
+/// Options of meshes and volumes, of which an include holds none: POV-Ray has the curves themselves.
+Errors unfit_for_include(const ExportArguments& to) {
+  const ExportArguments usual;
+  for (auto [given, name] :
+       {std::pair(to.keys != usual.keys, "--keys"), std::pair(to.levels != usual.levels, "--lods"),
+        std::pair(to.voxel != usual.voxel, "--voxel"), std::pair(to.instances, "--instances")})
+    if (given) return {{name, "is nothing that an .inc has; expected a .glb or .vdb, or none of it"}};
+  if (std::ranges::any_of(fs::path(to.out).filename().string(),
+                          [](char c) { return static_cast<unsigned char>(c) > 126; }))
+    return {{to.out,
+             "POV-Ray opens no include whose name has other letters than those of English; expected "
+             "such a name, as in oak.inc"}};
+  return {};
+}
+
 }  // namespace
 
 int export_include(const ExportArguments& arguments) {
   fs::path out = arguments.out;
+  if (Errors errors = unfit_for_include(arguments); !errors.empty()) return fail(errors, kWrongInput);
+  if (Errors errors = refuse_file(out); !errors.empty()) return fail(errors, kCouldNot);
   Result<Preset> preset = load_preset(arguments.preset);
   if (!preset) return fail(preset.errors(), kWrongInput);
   if (!arguments.quiet) tell_notes(preset->notes);
@@ -115,8 +134,9 @@ int export_include(const ExportArguments& arguments) {
   Result<std::string> written = include_text(text, variants);
   if (!written) {
     Errors errors = written.errors();
+    bool early = errors.front().what.starts_with(kNothingYet);
     if (errors.front().where.empty()) errors.front().where = arguments.out;
-    return fail(errors, kWrongInput);
+    return fail(errors, early ? kNothingGrown : kWrongInput);
   }
   if (Result<bool> done = write_file(out, *written); !done) return fail(done.errors(), kCouldNot);
   if (!arguments.quiet)

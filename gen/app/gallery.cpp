@@ -1,4 +1,4 @@
-#include "render/gallery.h"
+#include "app/gallery.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,6 +10,7 @@
 #include "app/messages.h"
 #include "app/render_notes.h"
 #include "app/streams.h"
+#include "core/content.h"
 #include "core/files.h"
 #include "core/frame_name.h"
 #include "jobs/jobs.h"
@@ -23,56 +24,23 @@ namespace frond {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-/// A picture to be rendered.
-struct Still {
-  fs::path preset;
-  int frame = 1;
-  std::array<int, 2> size{};
-  std::string quality = "good";
-  std::vector<std::string> sets;
-};
-
-class Gallery {
- public:
-  /// The folder of Frond, that of what pictures are made of, the list, and the names asked for.
-  Gallery(fs::path root, fs::path work, GalleryList list, std::vector<std::string> names)
-      : root_(std::move(root)), work_(std::move(work)), list_(std::move(list)), names_(std::move(names)) {}
-
-  /// What of the names is none; empty where all are.
-  std::string wrong_name() const;
-
-  Errors pictures(bool large);
-  Errors examples();
-  Errors grammars();
-  Errors page() const;
-
- private:
-  bool wanted(const std::string& name) const {
-    return names_.empty() || std::ranges::find(names_, name) != names_.end();
-  }
-  std::vector<fs::path> scenes() const;
-  Errors call(std::vector<std::string> words, const fs::path& folder = {}) const;
-  Result<fs::path> still(const Still& still, const fs::path& folder) const;
-  Errors picture(const GalleryPicture& picture, bool large);
-  Errors note_row(const GalleryPicture& picture) const;
-  Errors example(const fs::path& scene, const std::string& name) const;
-  Result<fs::path> grammar(const fs::path& file, const std::string& layout) const;
-  Errors show(JpegJob job, const fs::path& scratch, const std::string& name) const;
-
-  fs::path root_, work_;
-  GalleryList list_;
-  std::vector<std::string> names_;
-};
+std::vector<std::string> Gallery::all_names() const {
+  std::vector<std::string> names;
+  for (const GalleryPicture& picture : list_.pictures) names.push_back(picture.name);
+  for (const fs::path& scene : scenes()) names.push_back(std::string(kExamplePrefix) + scene.stem().string());
+  names.emplace_back(kGrammarSheet);
+  for (const std::string& name : list_.large) names.push_back(std::string(kLargePrefix) + name);
+  return names;
+}
 
 std::string Gallery::wrong_name() const {
+  std::vector<std::string> all = all_names();
   for (const std::string& name : names_) {
-    bool there = name == "grammars" ||
-                 std::ranges::any_of(list_.pictures,
-                                     [&](const GalleryPicture& picture) { return picture.name == name; });
-    for (const fs::path& scene : scenes()) there |= name == "example-" + scene.stem().string();
-    if (!there) return fmt::format("{}: no picture of docs/gallery/pictures.txt", name);
+    if (std::ranges::find(all, name) != all.end()) continue;
+    if (!name.starts_with(kLargePrefix))
+      return fmt::format("{}: no picture of docs/gallery/pictures.txt", name);
+    return fmt::format("{}: no picture of --large; expected some of {}", name.substr(kLargePrefix.size()),
+                       fmt::join(list_.large, " "));
   }
   return {};
 }
@@ -97,8 +65,8 @@ Errors Gallery::call(std::vector<std::string> words, const fs::path& folder) con
   return *code == 0 ? Errors{} : Errors{{"", fmt::format("{} ended with exit code {}", what, *code)}};
 }
 
-/// Renders a picture in a folder, unless it is there and nothing has changed; its path.
-Result<fs::path> Gallery::still(const Still& still, const fs::path& folder) const {
+/// Writes a scene in a folder.
+Errors Gallery::write_scene(const Still& still, const fs::path& folder) const {
   std::vector<std::string> words{own_program().string(),
                                  "generate",
                                  still.preset.string(),
@@ -109,10 +77,18 @@ Result<fs::path> Gallery::still(const Still& still, const fs::path& folder) cons
                                  "--no-resolve",  // of a film eight frames more would be rendered
                                  "-q"};
   for (const std::string& set : still.sets) words.push_back("--set=" + set);
-  if (Errors errors = call(words); !errors.empty()) return errors;
+  return call(words);
+}
+
+/// Renders a picture in a folder, unless it is there and nothing has changed.
+Result<Rendered> Gallery::still(const Still& still, const fs::path& folder) const {
+  if (Errors errors = write_scene(still, folder); !errors.empty()) return errors;
+  // Before it is rendered: what is a frame's own may go then.
+  Result<std::string> id = scene_id(root_, folder / "frames", scenes_of(folder, still.frame));
+  if (!id) return id.errors();
   std::string picture = "frames/" + frame_name(still.frame) + ".png";
   if (Errors errors = call({"ninja", picture}, folder); !errors.empty()) return errors;
-  return folder / picture;
+  return Rendered{folder / picture, std::move(*id)};
 }
 
 /// Makes docs/gallery/NAME.jpg, and says so.
@@ -125,18 +101,28 @@ Errors Gallery::show(JpegJob job, const fs::path& scratch, const std::string& na
   return {};
 }
 
+std::vector<Still> Gallery::stills_of(const GalleryPicture& picture, bool large) const {
+  std::vector<Still> stills;
+  for (const GalleryPart& part : picture.parts)
+    stills.push_back({root_ / "presets" / (part.preset + ".json"), part.frame,
+                      large ? large_size(picture.size) : picture.size, "good", part.sets});
+  return stills;
+}
+
 Errors Gallery::picture(const GalleryPicture& picture, bool large) {
   JpegJob job{{}, large ? large_size(picture.size) : picture.size, picture.columns, ""};
-  std::string made = picture.name + (large ? "-large" : "");
-  for (const GalleryPart& part : picture.parts) {
-    Still one{root_ / "presets" / (part.preset + ".json"), part.frame, job.size, "good", part.sets};
-    Result<fs::path> file = still(one, work_ / fmt::format("{}-{}", made, job.pictures.size()));
-    if (!file) return file.errors();
-    job.pictures.push_back(*file);
+  std::string made = picture.name + (large ? "-large" : ""),
+              name = std::string(large ? kLargePrefix : "") + picture.name;
+  std::vector<Still> stills = stills_of(picture, large);
+  std::string ids;
+  for (const Still& one : stills) {
+    Result<Rendered> part = still(one, work_ / fmt::format("{}-{}", made, job.pictures.size()));
+    if (!part) return part.errors();
+    job.pictures.push_back(part->picture);
+    ids += part->scene_id + '\n';
   }
-  if (Errors errors = show(job, work_ / (made + ".jpg"), (large ? "large/" : "") + picture.name);
-      !errors.empty())
-    return errors;
+  if (Errors errors = show(job, work_ / (made + ".jpg"), name); !errors.empty()) return errors;
+  if (Errors errors = note_scene_id(root_, name, content_id(ids)); !errors.empty()) return errors;
   return large ? Errors{} : note_row(picture);
 }
 
@@ -160,36 +146,42 @@ Errors Gallery::note_row(const GalleryPicture& picture) const {
   return written ? Errors{} : written.errors();
 }
 
-Errors Gallery::pictures(bool large) {
-  for (const GalleryPicture& each : list_.pictures) {
-    if (!wanted(each.name)) continue;
-    if (Errors errors = picture(each, large); !errors.empty()) {
-      errors.push_back({"", each.name + " could not be rendered"});
-      return errors;
+Errors Gallery::pictures() {
+  for (bool large : {false, true})
+    for (const GalleryPicture& each : list_.pictures) {
+      if (!wanted(std::string(large ? kLargePrefix : "") + each.name)) continue;
+      if (Errors errors = picture(each, large); !errors.empty()) {
+        errors.push_back({"", each.name + " could not be rendered"});
+        return errors;
+      }
     }
-  }
   return {};
 }
 
-/// A scene of docs/examples; its first lines hold the commands that make what it includes.
-Errors Gallery::example(const fs::path& scene, const std::string& name) const {
+/// A scene of docs/examples; its first lines hold the commands that make what it includes, in that folder.
+Result<ExampleScene> Gallery::write_example(const fs::path& scene, const fs::path& folder) const {
   Result<std::string> text = read_file(scene);
   if (!text) return text.errors();
   ExampleScene example = read_example(*text);
-  fs::path folder = work_ / name;
   std::error_code error;
   fs::create_directories(folder, error);
   for (std::vector<std::string> words : example.calls) {
-    fs::path include;
     for (std::string& word : words) {
       if (word.starts_with("presets/")) word = (root_ / word).string();
-      if (word.ends_with(".inc")) word = (include = folder / word).string();
+      if (word.ends_with(".inc")) word = (folder / word).string();
     }
-    if (fs::exists(include, error)) continue;
     words.insert(words.begin(), own_program().string());
     words.emplace_back("-q");
     if (Errors errors = call(words); !errors.empty()) return errors;
   }
+  return example;
+}
+
+Errors Gallery::example(const fs::path& scene, const std::string& name) const {
+  fs::path folder = work_ / name;
+  Result<ExampleScene> written = write_example(scene, folder);
+  if (!written) return written.errors();
+  const ExampleScene& example = *written;
   std::string picture = name + ".png";
   Words said;  // POV-Ray's own, which are many
   Command render;
@@ -205,56 +197,74 @@ Errors Gallery::example(const fs::path& scene, const std::string& name) const {
   render.end_with = SIGTERM;
   Result<int> code = run(render);
   if (!code || *code != 0) return {{"", name + " could not be rendered"}};
-  return show({{folder / picture}, {}, 1, ""}, folder / (name + ".jpg"), name);
+  Result<std::string> id = scene_id(root_, folder, {scene});
+  if (!id) return id.errors();
+  Errors errors = show({{folder / picture}, {}, 1, ""}, folder / (name + ".jpg"), name);
+  return errors.empty() ? note_scene_id(root_, name, *id) : errors;
 }
 
 Errors Gallery::examples() {
   for (const fs::path& scene : scenes()) {
-    std::string name = "example-" + scene.stem().string();
+    std::string name = std::string(kExamplePrefix) + scene.stem().string();
     if (!wanted(name)) continue;
     if (Errors errors = example(scene, name); !errors.empty()) return errors;
   }
   return {};
 }
 
-/// The picture of a grammar with its name below it. At this size a draft shows all.
-Result<fs::path> Gallery::grammar(const fs::path& file, const std::string& layout) const {
-  std::string name = file.stem();
-  fs::path place = work_ / "grammars" / name;
-  Result<std::string> text = read_file(file);
-  if (!text) return text.errors();
-  Result<bool> written = write_file(place.string() + ".json", grammar_preset(layout, *text));
-  if (!written) return written.errors();
+/// A preset for each grammar of presets/grammars, before the studio's wall. At this size a draft shows all.
+Result<std::vector<Still>> Gallery::write_grammars() const {
   constexpr int kSide = 200;
-  Result<fs::path> picture = still({place.string() + ".json", 1, {kSide, kSide}, "draft", {}}, place);
+  Result<std::string> layout = read_file(root_ / "docs" / "gallery" / "grammar.txt");
+  if (!layout) return layout.errors();
+  std::vector<Still> stills;
+  for (const fs::path& file : files_in(root_ / "presets" / "grammars")) {
+    bool draws = file.stem() != "algae" && file.stem() != "cells";  // words without lines
+    if (file.extension() != ".json" || !draws) continue;
+    Result<std::string> text = read_file(file);
+    if (!text) return text.errors();
+    fs::path preset = work_ / kGrammarSheet / file.filename();
+    Result<bool> written = write_file(preset, grammar_preset(*layout, *text));
+    if (!written) return written.errors();
+    stills.push_back({preset, 1, {kSide, kSide}, "draft", {}});
+  }
+  return stills;
+}
+
+/// The picture of a grammar with its name below it.
+Result<Rendered> Gallery::grammar(const Still& one) const {
+  std::string name = one.preset.stem();
+  fs::path place = work_ / kGrammarSheet / name;
+  Result<Rendered> picture = still(one, place);
   if (!picture) return picture;
   // Names are of letters, digits, dashes and underscores, which need no quotes in a filter.
   Errors errors = call({environment_or("FROND_FFMPEG", "ffmpeg"), "-y", "-nostdin", "-loglevel", "error",
-                        "-i", "file:" + picture->string(), "-vf",
+                        "-i", "file:" + picture->picture.string(), "-vf",
                         fmt::format("format=rgb24,pad=iw:ih+28:0:0:0x202020,drawtext=text={}:fontcolor=white:"
                                     "fontsize='clip(w/14,8,16)':x='max(0,(w-tw)/2)':y=h-20",
                                     name),
                         "file:" + place.string() + ".png"});
   if (!errors.empty()) return errors;
-  return fs::path(place.string() + ".png");
+  return Rendered{place.string() + ".png", std::move(picture->scene_id)};
 }
 
-/// The grammars of presets/grammars, each before the studio's wall.
 Errors Gallery::grammars() {
   constexpr int kColumns = 8, kWidth = 200;
-  if (!wanted("grammars")) return {};
-  Result<std::string> layout = read_file(root_ / "docs" / "gallery" / "grammar.txt");
-  if (!layout) return layout.errors();
+  if (!wanted(std::string(kGrammarSheet))) return {};
+  Result<std::vector<Still>> stills = write_grammars();
+  if (!stills) return stills.errors();
   SheetJob sheet{{}, work_ / "grammars.png", kColumns, kWidth, environment_or("FROND_FFMPEG", "ffmpeg")};
-  for (const fs::path& file : files_in(root_ / "presets" / "grammars")) {
-    bool draws = file.stem() != "algae" && file.stem() != "cells";  // words without lines
-    if (file.extension() != ".json" || !draws) continue;
-    Result<fs::path> picture = grammar(file, *layout);
+  std::string ids;
+  for (const Still& one : *stills) {
+    Result<Rendered> picture = grammar(one);
     if (!picture) return picture.errors();
-    sheet.pictures.push_back(*picture);
+    sheet.pictures.push_back(picture->picture);
+    ids += picture->scene_id + '\n';
   }
   if (Errors errors = tile_sheet(sheet); !errors.empty()) return errors;
-  return show({{sheet.sheet}, {}, 1, ""}, work_ / "grammars.jpg", "grammars");
+  std::string name(kGrammarSheet);
+  Errors errors = show({{sheet.sheet}, {}, 1, ""}, work_ / (name + ".jpg"), name);
+  return errors.empty() ? note_scene_id(root_, name, content_id(ids)) : errors;
 }
 
 /// Writes docs/gallery.md. What was not rendered now keeps its row.
@@ -275,7 +285,15 @@ Errors Gallery::page() const {
   return written ? Errors{} : written.errors();
 }
 
-}  // namespace
+Errors Gallery::render() {
+  Errors errors = pictures();
+  if (errors.empty()) errors = examples();
+  if (errors.empty()) errors = grammars();
+  bool only_large = !names_.empty() && std::ranges::all_of(names_, [](const std::string& name) {
+    return name.starts_with(kLargePrefix);
+  });
+  return errors.empty() && !only_large ? page() : errors;
+}
 
 int gallery(const GalleryArguments& arguments) {
   Result<fs::path> root = home();
@@ -285,22 +303,18 @@ int gallery(const GalleryArguments& arguments) {
   Result<std::string> text = read_file(from_root / "docs" / "gallery" / "pictures.txt");
   Result<GalleryList> list = text ? read_gallery(*text, "docs/gallery/pictures.txt") : text.errors();
   if (!list) return fail_run(list.errors(), kCouldNot);
-  std::vector<std::string> names = arguments.names, large = list->large;
-  for (const std::string& name : names)
-    if (arguments.large && std::ranges::find(large, name) == large.end())
-      return fail_run(
-          {{"", fmt::format("{}: no picture of --large; expected some of {}", name, fmt::join(large, " "))}},
-          kWrongInput);
-  if (arguments.large && names.empty()) names = large;
+  std::vector<std::string> names = arguments.names;
+  if (arguments.large && names.empty()) names = list->large;
+  if (arguments.large)
+    for (std::string& name : names) name.insert(0, name.starts_with(kLargePrefix) ? "" : kLargePrefix);
   fs::path work = fs::absolute(arguments.out, error).lexically_normal();
+  bool everything = names.empty();
   Gallery gallery(from_root, work, std::move(*list), std::move(names));
   if (std::string wrong = gallery.wrong_name(); !wrong.empty()) return fail_run({{"", wrong}}, kWrongInput);
   fs::create_directories(work, error);
   if (error) return fail_run({{"", work.string() + ": the folder cannot be made"}}, kCouldNot);
-  Errors errors = gallery.pictures(arguments.large);
-  if (errors.empty() && !arguments.large) errors = gallery.examples();
-  if (errors.empty() && !arguments.large) errors = gallery.grammars();
-  if (errors.empty() && !arguments.large) errors = gallery.page();
+  Errors errors = arguments.stale ? gallery.tell_stale() : gallery.render();
+  if (errors.empty() && arguments.stale && everything) gallery.tell_others();
   return errors.empty() ? int{kDone} : fail_run(errors, kCouldNot);
 }
 

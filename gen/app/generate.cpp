@@ -8,7 +8,9 @@
 
 #include "app/budgets.h"
 #include "app/commands.h"
+#include "app/heartbeat.h"
 #include "app/inputs.h"
+#include "app/judge.h"
 #include "app/out_folder.h"
 #include "app/pace.h"
 #include "app/progress.h"
@@ -196,7 +198,7 @@ Result<CostEstimate> borne_cost(const Run& run, const Machine& machine) {
     error.where = run.arguments.preset.path + (error.where.empty() ? "" : ": " + error.where);
   if (!refused.empty()) return refused;
   if (!run.arguments.quiet) {
-    Pace pace = pace_of(run.name);
+    Pace pace = pace_of(pace_key(run.arguments.preset.path));
     tell(fmt::format("estimate: {} of disk, {} of processor to render (reckoned {})",
                      bytes_text(estimate->disk()),
                      seconds_text(pace.factor * estimate->frames * estimate->render_seconds), pace.measured));
@@ -279,6 +281,7 @@ Result<Preset> load_counted(PresetArguments& arguments, const fs::path& out,
 
 int generate(GenerateArguments arguments) {
   limit_threads(arguments.threads);
+  Heartbeat heartbeat(arguments.quiet);
   std::string name = fs::path(arguments.preset.path).stem();
   fs::path out = arguments.out.empty() ? fs::path("out") / name : fs::path(arguments.out);
   std::vector<Manifest::Budget> budgets;
@@ -295,6 +298,7 @@ int generate(GenerateArguments arguments) {
   run.root = *root;
   Result<std::string> layout = read_file(run.root / "templates" / "frame.pov");
   if (!layout) return fail(layout.errors(), kCouldNot);
+  if (Errors errors = refuse_folder(run.out); !errors.empty()) return fail(errors, kCouldNot);
   if (Errors errors = refuse_links(run.out); !errors.empty()) return fail(errors, kCouldNot);
 
   Errors errors;

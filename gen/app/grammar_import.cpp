@@ -5,8 +5,10 @@
 #include "app/imported_preset.h"
 #include "app/messages.h"
 #include "core/files.h"
+#include "core/plain_text.h"
 #include "grammar/figure.h"
 #include "grammar/import.h"
+#include "grammar/kind.h"
 #include "grammar/lparser_rules.h"
 #include "organisms/grammar_file.h"
 
@@ -23,6 +25,8 @@ constexpr const char* kColors[] = {"#555555", "#1a1a1a", "#b03a2e", "#d4ac0d", "
                                    "#3a62b0", "#a04a94", "#2f5f2a", "#2c6b66", "#2b3f78", "#6b2f62",
                                    "#7a5a3a", "#3c5f33", "#8a8a8a", "#ededea"};
 
+constexpr float kLargestMeasured = 150;  ///< metres: a skeleton beyond it has another unit, and is scaled
+
 Value texts_of(const std::vector<GrammarText::Rule>& rules) {
   Value list = make_list();
   for (const GrammarText::Rule& rule : rules) list.items.push_back(make_text(rule.text));
@@ -35,7 +39,8 @@ Value properties_of(const GrammarText& g) {
   auto number = [&](std::string_view name, double value, double otherwise) {
     if (value != otherwise) out.set(name, make_number(value));
   };
-  out.set("dialect", make_text(g.dialect == Dialect::lparser ? "lparser" : "houdini"));
+  if (g.dialect != Dialect::abop)
+    out.set("dialect", make_text(g.dialect == Dialect::lparser ? "lparser" : "houdini"));
   out.set("axiom", make_text(g.axiom)).set("steps", make_number(g.steps)).set("angle", make_number(g.angle));
   number("last_step", g.last_step, usual.last_step);
   number("length", g.length, usual.length);
@@ -52,6 +57,11 @@ Value properties_of(const GrammarText& g) {
   out.set("rules", texts_of(g.rules));
   if (!g.interpretation.empty()) out.set("interpretation", texts_of(g.interpretation));
   if (!g.ignore.empty()) out.set("ignore", make_text(g.ignore));
+  if (g.start_heading != usual.start_heading)
+    out.set("start", make_object({{"heading",
+                                   {},
+                                   make_list({make_number(g.start_heading.x), make_number(g.start_heading.y),
+                                              make_number(g.start_heading.z)})}}));
   if (!g.symbols.empty()) out.set("symbols", make_texts(g.symbols));
   return out;
 }
@@ -83,12 +93,18 @@ Bounds box_of(const Figure& figure) {
 
 int import_rules(const ImportArguments& arguments) {
   const std::string& path = arguments.path;
-  if (!path.ends_with(".ls") && !path.ends_with(".txt"))
-    return fail(
-        {{path, "expected a model of cpfg (.l), a grammar of LParser (.ls) or one of Houdini (.txt)"}},
-        kWrongInput);
   Result<std::string> text = read_file(path);
-  Result<GrammarText> grammar = text ? import_grammar(path, *text) : text.errors();
+  GrammarKind kind = grammar_kind(path, text ? *text : "");
+  if (text && kind == GrammarKind::preset)
+    return fail({{path,
+                  "expected a model of cpfg (.l), a grammar of LParser (.ls), Houdini (.txt) or Fractint, "
+                  "or a skeleton (.swc)"}},
+                kWrongInput);
+  bool measured = kind == GrammarKind::skeleton;
+  if (arguments.z_up && !measured) return fail({{"--z-up", "only skeletons (.swc) are turned"}}, kWrongInput);
+  Result<GrammarText> grammar = !text      ? text.errors()
+                                : measured ? import_skeleton(plain_text(*text), arguments.z_up)
+                                           : import_grammar(path, *text, arguments.system);
   if (!grammar) return fail(in_file(grammar.errors(), path), kWrongInput);
   if (arguments.mutations > 0 && grammar->dialect != Dialect::lparser)
     return fail({{"--mutate", "only grammars of LParser are mutated"}}, kWrongInput);
@@ -104,6 +120,11 @@ int import_rules(const ImportArguments& arguments) {
       figure_of(*compiled, grammar->growth(), Seed{grammar->seed}, grammar->limits, grammar->organs);
   if (!figure) return fail(in_file(figure.errors(), path), kWrongInput);
   ImportedPlant plant{box_of(*figure), {0.35, 0.12, 1}, properties_of(*grammar), looks_of(*grammar, *figure)};
+  if (measured) {
+    const Vec3 size = plant.box.size();
+    plant.measured = std::max({size.x, size.y, size.z}) <= kLargestMeasured;
+    plant.looks.set("thickness", make_object({{"from", {}, make_text("turtle")}}));
+  }
   return write_imported(arguments, plant);
 }
 

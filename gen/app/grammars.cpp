@@ -7,8 +7,10 @@
 #include "app/inputs.h"
 #include "app/streams.h"
 #include "core/files.h"
+#include "cpfg/cpfg.h"
 #include "grammar/figure.h"
 #include "grammar/forecast.h"
+#include "grammar/kind.h"
 #include "grammar/picture.h"
 #include "grammar/review.h"
 #include "organisms/grammar_file.h"
@@ -25,13 +27,16 @@ struct Loaded {
 };
 
 /// The grammar of a file: a grammar itself, or that of a preset's plan or of its first organism that has one.
-Result<Grammar> load_grammar(const std::string& path, const std::optional<std::string>& assets) {
+Result<Grammar> load_grammar(const std::string& path, const std::optional<std::string>& assets,
+                             std::string_view system) {
+  Result<std::string> text = read_file(path);
+  if (text && !system.empty() && grammar_kind(path, *text) != GrammarKind::fractint)
+    return Error{"--system", "only files of Fractint hold several systems; expected none here"};
   if (is_grammar(path)) {
-    Result<std::string> text = read_file(path);
     if (!text) return text.errors();
     Result<Assets> files = assets_of(path, assets);
     if (!files) return files.errors();
-    Result<GrammarText> file = read_grammar(*text, path, *files);
+    Result<GrammarText> file = read_grammar(*text, path, *files, system);
     if (!file) return file.errors();
     return compile(*file);
   }
@@ -64,7 +69,7 @@ Result<Grammar> changed(const Grammar& grammar, const GrammarArguments& argument
 }
 
 Result<Loaded> load(const GrammarArguments& arguments) {
-  Result<Grammar> grammar = load_grammar(arguments.path, arguments.assets);
+  Result<Grammar> grammar = load_grammar(arguments.path, arguments.assets, arguments.system);
   if (grammar && (arguments.angle || arguments.mutations > 0)) grammar = changed(*grammar, arguments);
   if (!grammar) return in_file(grammar.errors(), arguments.path);
   // Those of a preset have been told with it.
@@ -103,6 +108,26 @@ int info_grammar(const std::string& path, const std::optional<std::string>& asse
                   size.bytes));
   Errors errors = refuse(size, grammar.text.limits);
   return errors.empty() ? kDone : fail_derivation(errors, grammar, path);
+}
+
+int check_grammar(const PresetArguments& arguments) {
+  const std::string& path = arguments.path;
+  if (!arguments.sets.empty())
+    return fail({{path, "is a grammar, of which --set sets nothing; expected a preset"}}, kWrongInput);
+  if (is_cpfg_model(path)) {
+    Result<CpfgModel> model = read_cpfg(path);
+    if (!model) return fail(model.errors(), kWrongInput);
+    for (const std::string& note : model->notes) tell("note: " + note);
+  } else {
+    Result<Grammar> grammar = load_grammar(path, arguments.assets, {});
+    if (!grammar) return fail(in_file(grammar.errors(), path), kWrongInput);
+    tell_notes(in_file(grammar->warnings, path));
+  }
+  tell(fmt::format(
+      "{0}: a grammar, no preset, and without a fault; `frond turtle {0} --svg FILE.svg` draws it, "
+      "`frond derive {0}` derives it, `frond import {0}` writes a preset of one of another program",
+      path));
+  return kDone;
 }
 
 int derive_word(const GrammarArguments& arguments) {

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 
 #include "app/messages.h"
 #include "core/files.h"
 #include "preset/json.h"
+#include "scene/preset.h"
 
 namespace frond {
 
@@ -19,7 +21,12 @@ namespace {
 constexpr double kLongest = 1;  ///< metres, the longest side of what is imported
 constexpr double kAngle = 32;   ///< degrees, what the camera sees across
 
-Value figure(double x) { return make_number(std::stod(fmt::format("{:.4g}", x))); }
+/// Four digits of a number.
+Value figure(double x) {
+  std::string text = fmt::format("{:.4g}", x);
+  std::from_chars(text.data(), text.data() + text.size(), x);
+  return make_number(x);
+}
 Value place(DVec3 v) { return make_list({figure(v.x), figure(v.y), figure(v.z)}); }
 Value zeros(int count) {
   return make_list(std::vector<Value>(static_cast<std::size_t>(count), make_number(0)));
@@ -64,17 +71,21 @@ int write_imported(const ImportArguments& arguments, const ImportedPlant& plant)
   if (plant.box.empty() || !(glm::length(size) > 0))
     return fail({{arguments.path, "its turtle draws nothing; does it need more steps? --steps sets them"}},
                 kWrongInput);
-  size *= kLongest / std::max({size.x, size.y, size.z});
+  if (!plant.measured) size *= kLongest / std::max({size.x, size.y, size.z});
   Value title = make_text(fs::path(arguments.path).stem().string());
   Value film = make_object(), stand = make_object(), one = make_object(), preset = make_object();
   film.set("frames", make_number(1)).set("size", make_list({make_number(640), make_number(640)}));
   stand.set("at", make_list({zeros(2)})).set("lean", make_number(0));
   stand.set("size_variation", make_number(0)).set("turn_variation", make_number(0));
   one.set("kind", make_text("plant")).set("name", title).set("place", stand);
-  one.set("height", figure(size.y)).set("stand", make_text("middle")).set("smoothing", make_number(1));
+  one.set("height", plant.measured ? make_number(0) : figure(size.y))
+      .set("stand", make_text("middle"))
+      .set("smoothing", make_number(1));
   one.set("thickness", make_object({{"least", {}, make_number(0.0002)}})).set("grammar", plant.grammar);
   for (const Member& look : plant.looks.members) one.set(look.name, look.value);
-  preset.set("title", title).set("film", film.set("quality", make_text("good")));
+  preset.set("title", title)
+      .set("version", make_number(kPresetVersion))
+      .set("film", film.set("quality", make_text("good")));
   preset.set("scene", scene_of(size, plant.side)).set("organisms", make_list({one}));
   Result<bool> written = write_file(preset_path(arguments), serialize_pretty(preset));
   return written ? kDone : fail(written.errors(), kCouldNot);

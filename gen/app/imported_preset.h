@@ -12,6 +12,7 @@ struct ImportedPlant {
   DVec3 side{0, 0, 1};  ///< from where it is seen
   Value grammar = make_object();
   Value looks = make_object();  ///< further properties of the plant
+  bool measured = false;        ///< its units are metres, which it keeps
 };
 
 /// The preset to write.

@@ -11,8 +11,10 @@
 #include "app/picture_options.h"
 #include "app/streams.h"
 #include "core/files.h"
+#include "core/home.h"
 #include "core/text.h"
 #include "film/film_files.h"
+#include "grammar/kind.h"
 #include "preset/json.h"
 #include "preset/range_text.h"
 #include "resolve/resolve.h"
@@ -45,6 +47,21 @@ Result<std::string> scaled_size(const Film& film, double scale) {
     return Error{"--scale", fmt::format("pictures of {}x{} would be {}x{} pixels; expected {} at most",
                                         film.size[0], film.size[1], width, height, kLargest)};
   return fmt::format("/film/size=[{},{}]", width, height);
+}
+
+/// Whether a text is the JSON of a grammar.
+bool is_grammar_text(const std::string& text) {
+  Result<Document> document = parse_json(text, "");
+  return document && document->root.find("axiom") && !document->root.find("organisms");
+}
+
+/// The value of `--fps` or `--seconds`, as what sets it; of seconds the number of frames, at a film's rate.
+Result<std::string> asked_pace(const char* option, double asked, const char* pointer, double frames) {
+  if (!(asked > 0) || !std::isfinite(asked))
+    return Error{option, fmt::format("found {}; expected a number above 0", asked)};
+  if (!(frames <= 1e6))
+    return Error{option, fmt::format("{} would be {:.0f} frames; expected 1000000 at most", asked, frames)};
+  return fmt::format("{}={}", pointer, frames);
 }
 
 /// The folder of `--assets`; empty: any file is read.
@@ -80,10 +97,8 @@ Result<std::string> asked_quality(const std::string& asked) {
 }  // namespace
 
 Result<fs::path> home() {
-  const char* given = std::getenv("FROND_HOME");
+  fs::path path = home_folder();
   std::error_code error;
-  fs::path path =
-      given ? fs::path(given) : fs::read_symlink("/proc/self/exe", error).parent_path().parent_path();
   if (fs::exists(path / "templates" / "frame.pov", error)) return path;
   return Error{path.string(), "holds no templates/frame.pov; set FROND_HOME to the folder of Frond"};
 }
@@ -159,7 +174,23 @@ Result<Preset> load_preset(const PresetArguments& arguments) {
     if (!set) return set.errors();
     if (asked) sets.push_back(*set);
   }
+  if (arguments.fps) {
+    Result<std::string> set = asked_pace("--fps", *arguments.fps, "/film/fps", *arguments.fps);
+    if (!set) return set.errors();
+    sets.push_back(*set);
+  }
   Result<Preset> preset = read_preset(*text, arguments.path, sets, *only);
+  if (!preset && is_grammar_text(*text))
+    return Error{arguments.path, fmt::format("is a grammar, no preset; `frond turtle {0} --svg` draws it, "
+                                             "`frond derive {0}` derives it, and the kind plant grows by it",
+                                             arguments.path)};
+  if (preset && arguments.seconds) {
+    double frames = std::max(1.0, std::round(*arguments.seconds * preset->film.fps));
+    Result<std::string> set = asked_pace("--seconds", *arguments.seconds, "/film/frames", frames);
+    if (!set) return set.errors();
+    sets.push_back(*set);
+    preset = read_preset(*text, arguments.path, sets, *only);
+  }
   if (preset && (arguments.scale || arguments.print)) {
     Result<std::string> size =
         arguments.print ? printed_size(arguments, preset->film) : scaled_size(preset->film, *arguments.scale);
@@ -173,10 +204,9 @@ Result<Preset> load_preset(const PresetArguments& arguments) {
 }
 
 bool is_grammar(const std::string& path) {
-  if (!path.ends_with(".json")) return true;
   Result<std::string> text = read_file(path);
-  Result<Document> document = text ? parse_json(*text, path) : text.errors();
-  return document && document->root.find("axiom") && !document->root.find("organisms");
+  if (!text ? !path.ends_with(".json") : grammar_kind(path, *text) != GrammarKind::preset) return true;
+  return text && is_grammar_text(*text);
 }
 
 Result<Manifest> manifest_in(const fs::path& folder) {
@@ -193,14 +223,26 @@ Result<FrameRange> read_frames(const std::string& text, int count) {
     rest.remove_prefix(1);
     range.last = read_number(rest);
   }
-  if (!rest.empty() || range.first < 1 || range.last < range.first || range.last > count)
-    return Error{"--frames",
-                 fmt::format("\"{}\" is no range of frames; expected A-B within 1-{}", text, count)};
-  return range;
+  bool written = rest.empty() && range.first >= 1 && range.last >= range.first;
+  if (written && range.last <= count) return range;
+  std::string there = count == 1
+                          ? "this preset is a still, which has frame 1 alone; expected 1, or a film, as "
+                            "by --seconds 4"
+                          : fmt::format("the film has frames 1-{}", count);
+  if (written) return Error{"--frames", fmt::format("found {}, but {}", text, there)};
+  return Error{"--frames",
+               fmt::format("\"{}\" is no range of frames; expected A-B, as in 1-{}, or one number; {}", text,
+                           std::max(count, 2), there)};
 }
 
 Result<FrameRange> read_frames(const std::optional<std::string>& text, int count, FrameRange usual) {
   return text ? read_frames(*text, count) : usual;
+}
+
+Result<int> read_frame(int asked, int count) {
+  if (asked > count)
+    return Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", asked, count)};
+  return asked == 0 ? count : asked;
 }
 
 FrameRange drawn_frames(const Film& film, FrameRange wanted) {

@@ -53,6 +53,8 @@ struct FrameRange {
 Result<FrameRange> read_frames(const std::string& text, int count);
 /// The same of an option; where it is not given, the usual frames.
 Result<FrameRange> read_frames(const std::optional<std::string>& text, int count, FrameRange usual);
+/// One frame as in `--frame 7`; 0: the last.
+Result<int> read_frame(int asked, int count);
 /// The frames that are rendered for those: where they are resolved, those around them, too.
 FrameRange drawn_frames(const Film& film, FrameRange wanted);
 

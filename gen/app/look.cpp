@@ -3,31 +3,33 @@
 #include <filesystem>
 
 #include "app/commands.h"
+#include "app/heartbeat.h"
 #include "app/inputs.h"
+#include "app/judge.h"
 #include "app/messages.h"
 #include "app/streams.h"
 #include "core/files.h"
+#include "draw/sizes.h"
 #include "preview/quick_look.h"
-#include "scene/sizes.h"
 
 // What a preset is going to look like: look.
 
 namespace frond {
 
 int look(const LookArguments& arguments) {
+  Heartbeat heartbeat;
   Result<Preset> preset = load_preset(arguments.preset);
   if (!preset) return fail(preset.errors(), kWrongInput);
   const Film& film = preset->film;
-  int frame = arguments.frame == 0 ? film.frames : arguments.frame;
-  if (frame > film.frames)
-    return fail(
-        {Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", frame, film.frames)}},
-        kWrongInput);
+  Result<int> asked = read_frame(arguments.frame, film.frames);
+  if (!asked) return fail(asked.errors(), kWrongInput);
+  int frame = *asked;
   std::string out = arguments.out.empty()
                         ? std::filesystem::path(arguments.preset.path).stem().string() + "_look.png"
                         : arguments.out;
   if (!out.ends_with(".png"))
     return fail({Error{"--out", fmt::format("{} has no known extension; expected .png", out)}}, kWrongInput);
+  if (Errors errors = refuse_file(out); !errors.empty()) return fail(errors, kCouldNot);
   tell_notes(preset->notes);
   now_doing("growing what stands in the scene");
   Result<Scene> scene = build_scene(*preset);
@@ -37,7 +39,9 @@ int look(const LookArguments& arguments) {
   Result<std::string> png = png_text(quick_look(*scene, film.time(frame)));
   Result<bool> written = png ? write_file(out, *png) : png.errors();
   if (!written) return fail(written.errors(), kCouldNot);
-  for (const std::string& line : sizes_lines(sizes_of(*scene, *preset))) tell(line);
+  Result<std::vector<GrownSize>> sizes = sizes_of(*scene, *preset, film.time(frame));
+  if (!sizes) return fail(sizes.errors(), kCouldNot);
+  for (const std::string& line : sizes_lines(*sizes)) tell(line);
   put(out + "\n");
   return kDone;
 }

@@ -9,12 +9,12 @@
 
 #include "app/commands.h"
 #include "app/inputs.h"
+#include "app/judge.h"
 #include "app/messages.h"
+#include "app/named.h"
 #include "app/rendering.h"
 #include "app/streams.h"
 #include "app/words.h"
-#include "core/figures.h"
-#include "core/machine.h"
 
 using namespace frond;
 
@@ -27,6 +27,7 @@ void add_generate(CLI::App& app, int& result) {
   auto* command =
       app.add_subcommand("generate", "Writes the frames of a film, manifest.json and build.ninja");
   add_preset(command, to->preset);
+  add_pictures(command, to->preset);
   command->add_option("-o,--out", to->out, "Folder to write to (out/<preset name>)");
   command->add_option("--frames", to->frames, "A-B: only these frames");
   add_resolving(command, to->resolve);
@@ -57,6 +58,7 @@ void add_resolve(CLI::App& app, int& result) {
   auto* command = app.add_subcommand(
       "resolve", "Makes the frames of a film of raw ones, which `frond generate --resolve` has rendered");
   add_preset(command, to->preset);
+  add_pictures(command, to->preset);
   command->add_option("--film", to->folder,
                       "Folder of the film, with its raw frames in raw/ (out/<preset name>)");
   command->add_option("-o,--out", to->out, "Folder to write to (frames/ in that)");
@@ -86,6 +88,7 @@ void add_passes(CLI::App& app, int& result) {
   auto* command = app.add_subcommand(
       "passes", "Depth, normals, places, motion, sunlight and masks of all that stands there, as OpenEXR");
   add_preset(command, to->preset);
+  add_size(command, to->preset);
   command->add_option("-o,--out", to->out, "Folder to write to (out/<preset name>/passes)");
   command->add_option("--frames", to->frames, "A-B: only these frames (the last)");
   command->add_option("--side", to->side, "N: N * N rays tell the shares of a pixel (4)")
@@ -103,6 +106,7 @@ void add_look(CLI::App& app, int& result) {
   auto* command = app.add_subcommand(
       "look", "Draws at once, without a renderer, what the camera sees, and says how large all has grown");
   add_preset(command, to->preset);
+  add_size(command, to->preset);
   command->add_option("-o,--out", to->out, "FILE.png (<preset name>_look.png)");
   command->add_option("--frame", to->frame, "Which frame (the last)")->check(CLI::Range(1, 1'000'000));
   command->footer(
@@ -165,28 +169,34 @@ void add_export(CLI::App& app, int& result) {
 void add_check(CLI::App& app, int& result) {
   auto paths = std::make_shared<std::vector<std::string>>();
   auto* command = app.add_subcommand("check", "Tells what is wrong in presets");
-  auto assets = std::make_shared<std::optional<std::string>>();
-  command->add_option("presets", *paths, "JSON files")->required();
-  add_assets(command, *assets);
-  command->footer("Example:\n  frond check presets/*.json");
-  command->callback([&result, paths, assets] { result = check(*paths, *assets); });
+  auto common = std::make_shared<PresetArguments>();
+  command->add_option("presets", *paths, "JSON files, or names of Frond's presets")
+      ->required()
+      ->transform(named_by(&preset_named));
+  add_sets(command, common->sets);
+  add_assets(command, common->assets);
+  command->footer(
+      "A grammar is checked as one.\n\nExamples:\n  frond check presets/*.json\n"
+      "  frond check presets/reef.json --set /film/fps=12");
+  command->callback([&result, paths, common] { result = check(*paths, *common); });
 }
 
 void add_info(CLI::App& app, int& result) {
-  auto preset = std::make_shared<PresetArguments>();
-  auto frames = std::make_shared<std::optional<std::string>>();
-  auto json = std::make_shared<bool>(false), sizes = std::make_shared<bool>(false);
+  auto to = std::make_shared<InfoArguments>();
   auto* command =
       app.add_subcommand("info", "Estimates how large a preset's scene or a grammar's word will be");
-  add_preset(command, *preset);
-  command->add_option("--frames", *frames, "A-B: of a film only these frames");
-  command->add_flag("--json", *json, "For machines");
-  command->add_flag("--sizes", *sizes,
+  add_preset(command, to->preset);
+  add_size(command, to->preset);
+  command->add_option("--frames", to->frames, "A-B: of a film only these frames");
+  command->add_flag("--json", to->json, "For machines");
+  command->add_flag("--sizes", to->sizes,
                     "Grows it and says how high and wide each organism has become, and its stem");
+  command->add_option("--frame", to->frame, "Of --sizes: in which frame (the last)")
+      ->check(CLI::Range(1, 1'000'000));
   command->footer(
-      "Examples:\n  frond info presets/reef.json --json\n  frond info presets/trees/oak.json --sizes");
-  command->callback(
-      [&result, preset, frames, json, sizes] { result = info(*preset, *frames, *json, *sizes); });
+      "Examples:\n  frond info presets/reef.json --json\n  frond info presets/trees/oak.json --sizes\n"
+      "  frond info presets/garden/grammar_palm.json --sizes --frame 60");
+  command->callback([&result, to] { result = info(*to); });
 }
 
 void add_files(CLI::App& app, int& result) {
@@ -286,13 +296,17 @@ void add_import(CLI::App& app, int& result) {
   auto* command = app.add_subcommand("import", "Writes a preset of another program's grammar, which renders");
   command
       ->add_option("grammar", to->path,
-                   "A model of cpfg (.l), or a grammar of LParser (.ls) or Houdini (.txt)")
+                   "A model of cpfg (.l), a grammar of LParser (.ls), Houdini (.txt) or Fractint, or a "
+                   "skeleton (.swc)")
       ->required();
   command->add_option("-o,--out", to->out, "FILE.json (beside the grammar, with its name)");
   command->add_option("--steps", to->steps, "N: derivation steps (as the file says)")
       ->check(CLI::Range(0, 1'000'000));
   command->add_option("--seed", to->seed, "For random choices, instead of the grammar's");
   add_mutations(command, to->mutations);
+  add_system(command, to->system);
+  command->add_flag_callback(
+      "--z-up", [to] { to->z_up = true; }, "Of a skeleton: its z is up, not its y");
   command->footer("Example:\n  frond import plants/rose.l -o rose.json");
   command->callback([&result, to] { result = import_model(*to); });
 }
@@ -300,7 +314,8 @@ void add_import(CLI::App& app, int& result) {
 void add_studio(CLI::App& app, int& result) {
   auto to = std::make_shared<StudioArguments>();
   auto* command = app.add_subcommand("studio", "Serves a page in the browser: sliders, a live view, stills");
-  command->add_option("preset", to->preset, "The preset to open, a JSON file; none: the gallery");
+  command->add_option("preset", to->preset, "The preset to open, a JSON file or a name; none: the gallery")
+      ->transform(named_by(&preset_named));
   command->add_option("--port", to->port, "Of the address (8417, or any that is free)")
       ->check(CLI::Range(1, 65535));
   command->add_flag("--open", to->open, "Opens the page in the desktop's browser");
@@ -328,6 +343,7 @@ int run(int count, char** words) {
                    add_compare, add_task,     add_farm,      add_gallery, add_derive,   add_turtle,
                    add_plan,    add_stand,    add_catalogue, add_import,  add_studio})
     add(app, result);
+  judge_options(app);
   if (std::string wrong = unknown_command(app, count > 1 ? words[1] : ""); !wrong.empty()) {
     tell(wrong);
     return kWrongInput;
@@ -351,16 +367,6 @@ int run(int count, char** words) {
   return result;
 }
 
-/// Says what was being done as memory ran out, and what there is of it.
-int tell_shortage() {
-  Machine machine = this_machine(".");
-  tell(fmt::format(
-      "frond: memory ran out while {}: this process holds {} and may take {} more; fewer, smaller "
-      "or less finely drawn organisms need less, and so do fewer --threads",
-      what_is_done(), bytes_text(memory_in_use()), bytes_text(machine.memory)));
-  return kCouldNot;
-}
-
 }  // namespace
 
 int main(int count, char** words) {
@@ -370,9 +376,9 @@ int main(int count, char** words) {
   try {
     result = run(count, words);
   } catch (const std::bad_alloc&) {
-    result = tell_shortage();
+    result = fail_for_memory();
   } catch (const std::length_error&) {
-    result = tell_shortage();
+    result = fail_for_memory();
   } catch (const std::exception& error) {
     tell(fmt::format("frond: failed while {}: {}", what_is_done(), error.what()));
   }

@@ -8,6 +8,8 @@
 #include <string>
 
 #include "app/streams.h"
+#include "core/figures.h"
+#include "core/machine.h"
 #include "core/printable.h"
 
 namespace frond {
@@ -48,6 +50,15 @@ int fail_run(const Errors& errors, ExitCode code) {
 int fail(const Errors& errors, ExitCode code) {
   print(errors, "");
   return code;
+}
+
+int fail_for_memory() {
+  Machine machine = this_machine(".");
+  tell(fmt::format(
+      "frond: memory ran out while {}: this process holds {} and may take {} more; fewer, smaller "
+      "or less finely drawn organisms need less, and so do fewer --threads",
+      what_is_done(), bytes_text(memory_in_use()), bytes_text(machine.memory)));
+  return kCouldNot;
 }
 
 }  // namespace frond

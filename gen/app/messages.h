@@ -23,4 +23,7 @@ int fail_run(const Errors& errors, ExitCode code);
 /// Prints errors to stderr, one a line; returns the given exit code.
 int fail(const Errors& errors, ExitCode code);
 
+/// Says what was being done as memory ran out, and what there is of it; returns kCouldNot.
+int fail_for_memory();
+
 }  // namespace frond

@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/inputs.h"
 #include "app/messages.h"
+#include "app/named.h"
 #include "app/streams.h"
 #include "core/files.h"
 #include "preset/json.h"
@@ -151,7 +152,7 @@ void move_files(Value& value, const fs::path& from, const fs::path& to, const fs
   }
 }
 
-/// The file that a preset begins as: a kind's, one at that path, or a shipped one of that name.
+/// The file that a preset begins as: a kind's, or what preset_named() finds.
 Result<fs::path> find_beginning(const std::string& from, const fs::path& home) {
   std::error_code error;
   std::vector<std::string> names;
@@ -159,16 +160,16 @@ Result<fs::path> find_beginning(const std::string& from, const fs::path& home) {
     names.emplace_back(row.name);
     if (row.name == from) return home / "templates" / "new" / (from + ".json");
   }
-  for (const fs::path& path : {fs::path(from), home / from})
-    if (fs::is_regular_file(path, error)) return path;
-  for (const fs::path& file : files_below(home / "presets")) {
-    if (file.extension() != ".json" || is_grammar(file.string())) continue;
-    if (file.stem() == from) return file;
-    names.push_back(file.stem().string());
-  }
+  if (fs::path named = preset_named(from); fs::is_regular_file(named, error)) return named;
+  for (const fs::path& file : files_below(home / "presets"))
+    if (file.extension() == ".json" && !is_grammar(file.string())) names.push_back(file.stem().string());
   std::vector<std::string_view> views(names.begin(), names.end());
   return Error{"--from",
                fmt::format("\"{}\" is no kind, and no preset{}", from, expected_names(from, views))};
+}
+
+bool begins_as_kind(const std::string& from) {
+  return std::ranges::any_of(organism_kinds(), [&](const auto& row) { return row.name == from; });
 }
 
 Result<Value> read_beginning(const fs::path& file, const std::string& kind) {
@@ -201,7 +202,10 @@ int new_preset(const NewArguments& arguments) {
   Value preset = make_object();
   preset.set("$schema",
              make_text(fs::proximate(*root / "docs" / "preset.schema.json", folder, error).generic_string()));
-  preset.set("title", make_text(path.stem().string())).set("seed", make_number(1));
+  preset.set("title", make_text(path.stem().string()));
+  // What begins as a preset that is there grows as that does; what begins as a kind, by the rules of today.
+  if (begins_as_kind(arguments.from)) preset.set("version", make_number(kPresetVersion));
+  preset.set("seed", make_number(1));
   for (Member& member : read->members)
     if (member.name != "$schema" && member.name != "title") preset.set(member.name, std::move(member.value));
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "app/inputs.h"
+#include "core/content.h"
 #include "core/files.h"
-#include "core/printable.h"
 #include "render/process.h"
 
 namespace frond {
@@ -21,14 +21,6 @@ namespace frond {
 namespace {
 
 std::filesystem::path pace_file() { return cache_folder() / "pace"; }
-
-/// As it is noted: one word.
-std::string key_of(std::string_view preset) {
-  std::string key(preset);
-  std::ranges::replace_if(
-      key, [](char c) { return !is_plain(c); }, '_');
-  return key;
-}
 
 constexpr std::size_t kKept = 50;
 constexpr std::string_view kMachine = "machine";
@@ -58,11 +50,17 @@ double seconds_of_others() {
 
 }  // namespace
 
-void note_pace(std::string_view preset, double estimate, double taken) {
-  std::string key = key_of(preset), text;
+std::string pace_key(const std::filesystem::path& preset) {
+  std::error_code error;
+  std::filesystem::path whole = std::filesystem::weakly_canonical(preset, error);
+  return content_id((error ? preset : whole).string());
+}
+
+void note_pace(std::string_view key, double estimate, double taken) {
+  std::string text;
   Result<std::string> noted = read_file(pace_file());
   std::vector<std::string> lines = noted ? lines_of(*noted) : std::vector<std::string>{};
-  std::erase_if(lines, [&](const std::string& line) { return line.starts_with(key + " "); });
+  std::erase_if(lines, [&](const std::string& line) { return line.starts_with(fmt::format("{} ", key)); });
   for (std::size_t i = lines.size() - std::min(lines.size(), kKept - 1); i < lines.size(); ++i)
     text += lines[i] + '\n';
   (void)write_file(pace_file(), text + fmt::format("{} {:.6g} {:.6g}\n", key, estimate, taken));
@@ -86,17 +84,17 @@ void measure_machine(const std::string& povray) {
   std::filesystem::remove_all(folder, error);
 }
 
-Pace pace_of(std::string_view preset) {
+Pace pace_of(std::string_view key) {
   Pace pace;
   std::vector<double> all;
   std::ifstream in(pace_file());
-  std::string wanted = key_of(preset), key;
+  std::string noted;
   for (std::string line; std::getline(in, line);) {
     std::istringstream words(line);
     double estimate = 0, taken = 0;
-    if (!(words >> key >> estimate >> taken) || !(estimate > 0) || !(taken > 0)) continue;
+    if (!(words >> noted >> estimate >> taken) || !(estimate > 0) || !(taken > 0)) continue;
     all.push_back(taken / estimate);
-    if (key == wanted) pace = {all.back(), "on its last run"};
+    if (noted == key) pace = {all.back(), "on its last run"};
   }
   if (pace.measured != Pace{}.measured || all.empty()) return pace;
   auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);

@@ -17,6 +17,7 @@
 #include "core/parallel.h"
 #include "images/cryptomatte.h"
 #include "images/exr.h"
+#include "render/process.h"
 
 // What compositors want to know of frames besides their colours: passes.
 
@@ -105,6 +106,9 @@ int passes(const PassesArguments& arguments) {
   limit_threads(arguments.threads);
   Result<Preset> preset = load_preset(arguments.preset);
   if (!preset) return fail(preset.errors(), kWrongInput);
+  std::string povray = environment_or("FROND_POVRAY", "povray");
+  if (arguments.albedo && !find_program(povray))
+    return fail({{"--albedo", povray + ": no such program; it is what draws the colours"}}, kCouldNot);
   TracedRun run;
   if (int code = run.begin(*preset, arguments, "passes"); code != kDone) return code;
   std::optional<Albedo> albedo;

@@ -10,6 +10,7 @@
 #include "app/bar.h"
 #include "app/commands.h"
 #include "app/inputs.h"
+#include "app/judge.h"
 #include "app/messages.h"
 #include "app/out_folder.h"
 #include "app/pace.h"
@@ -141,6 +142,21 @@ std::string program_variable(const char* name, const std::string& usual) {
   return fmt::format("{}={}", name, program);
 }
 
+/// Whether what is asked for can be made of the preset: before anything is grown. The preset is read for this
+/// alone, and is no longer in memory while frames are rendered.
+int judge(const RenderArguments& a, const fs::path& out) {
+  Result<Preset> preset = load_preset(a.preset);
+  if (!preset) return fail(preset.errors(), kWrongInput);
+  if (Errors errors = judge_render(a, preset->film); !errors.empty()) return fail_run(errors, kWrongInput);
+  if (Errors errors = refuse_folder(out); !errors.empty()) return fail_run(errors, kCouldNot);
+  if (Errors errors = a.plot ? refuse_file(*a.plot) : Errors{}; !errors.empty())
+    return fail_run(errors, kCouldNot);
+  std::string ffmpeg = environment_or("FROND_FFMPEG", "ffmpeg");
+  if (preset->film.frames > 1 && a.why == 0 && !find_program(ffmpeg))
+    return fail_run({{"", ffmpeg + ": no such program; it is what makes films of frames"}}, kCouldNot);
+  return kDone;
+}
+
 int render_into(const RenderArguments& a, const fs::path& out) {
   Result<fs::path> root = home();
   if (!root) return fail_run(root.errors(), kCouldNot);
@@ -162,12 +178,6 @@ int render_into(const RenderArguments& a, const fs::path& out) {
                                        program_variable("FROND_POVRAY", "povray"),
                                        program_variable("FROND_FFMPEG", "ffmpeg")};
   if (a.why > 0) return tell_why(Ninja(out, environment, stop), out, a.why, before);
-  Result<Manifest> manifest = manifest_in(out);
-  if (manifest && manifest->transparent != (a.format == "mov") && (a.format == "mp4" || a.format == "mov"))
-    return fail_run(
-        {{"--format", manifest->transparent ? "an mp4 has no opacity; expected mov, webm or gif"
-                                            : "a mov is for a transparent film; expected mp4, webm or gif"}},
-        kWrongInput);
   RenderSettings settings;
   settings.out = out;
   settings.format = a.format;
@@ -180,7 +190,7 @@ int render_into(const RenderArguments& a, const fs::path& out) {
   int code = run.run();
   if (code == kInterrupted) return interrupted();
   if (code != kDone) return code;
-  note_times(out, noted, run.manifest(), run.rendered());
+  note_times(out, noted, run.manifest(), run.rendered(), a.preset.path);
   if (a.plot) {
     if (Errors errors = write_plot(out, run.manifest(), *a.plot); !errors.empty())
       return fail_run(errors, kCouldNot);
@@ -206,6 +216,7 @@ int render(const RenderArguments& arguments) {
   if (!arguments.sweeps.empty() || arguments.seeds) return sheet(arguments);
   fs::path out =
       arguments.out.empty() ? fs::path("out") / fs::path(preset).stem() : fs::path(as_path(arguments.out));
+  if (int code = judge(arguments, out); code != kDone) return code;
   return render_into(arguments, out);
 }
 

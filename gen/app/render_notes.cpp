@@ -33,13 +33,14 @@ std::vector<FrameTime> read_times(const fs::path& out) {
   return times;
 }
 
-void note_times(const fs::path& out, std::size_t before, const Manifest& manifest, int rendered) {
+void note_times(const fs::path& out, std::size_t before, const Manifest& manifest, int rendered,
+                const fs::path& preset) {
   std::vector<FrameTime> times = read_times(out);
   times.erase(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(std::min(before, times.size())));
   if (rendered == 0 || times.empty()) return;
   double all = 0;
   for (const FrameTime& time : times) all += time.seconds;
-  note_pace(manifest.preset, manifest.render_seconds * static_cast<double>(times.size()), all);
+  note_pace(pace_key(preset), manifest.render_seconds * static_cast<double>(times.size()), all);
   if (rendered < 2) return;
   std::ranges::stable_sort(times, std::greater<>(), &FrameTime::seconds);
   constexpr std::size_t kShown = 3;

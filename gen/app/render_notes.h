@@ -19,8 +19,9 @@ struct FrameTime {
 std::vector<FrameTime> read_times(const std::filesystem::path& out);
 
 /// After a run that has rendered so many frames: says what the slowest took, and notes the pace for what is
-/// estimated for the next. The times behind the first `before` are its own.
-void note_times(const std::filesystem::path& out, std::size_t before, const Manifest& manifest, int rendered);
+/// estimated for the next of that preset. The times behind the first `before` are its own.
+void note_times(const std::filesystem::path& out, std::size_t before, const Manifest& manifest, int rendered,
+                const std::filesystem::path& preset);
 
 /// Draws nodes, bytes and seconds of the frames in a folder as an SVG.
 Errors write_plot(const std::filesystem::path& out, const Manifest& manifest,

@@ -51,6 +51,8 @@ void add_draw(CLI::App& app, int& result) {
   auto* command =
       app.add_subcommand("draw", "Draws what grows in ink, with outlines and hatching, without POV-Ray");
   add_preset(command, to->preset);
+  add_size(command, to->preset);
+  add_print(command, to->preset);
   command->add_option("-o,--out", to->out, "Folder to write to (out/<preset name>/drawn)");
   command->add_option("--frames", to->frames, "A-B: only these frames (the last)");
   command->add_option("--pen", to->pen, "N: lines so many times as wide as usual (1)")
@@ -114,6 +116,7 @@ void add_render(CLI::App& app, int& result) {
   auto* command =
       app.add_subcommand("render", "From a preset to a film or a still: generates, renders, encodes");
   add_preset(command, to->preset);
+  add_pictures(command, to->preset);
   command->get_option("preset")->required(false)->description(
       "The preset, a JSON file; without it, which there are");
   add_run(command, *to);
@@ -158,6 +161,7 @@ void add_sheet(CLI::App& app, int& result) {
   auto* command =
       app.add_subcommand("sheet", "A sheet of labelled stills of a preset, over seeds or over a value of it");
   add_preset(command, to->preset);
+  add_pictures(command, to->preset);
   add_run(command, *to);
   add_sweeps(command, *to);
   command->footer(
@@ -220,6 +224,7 @@ void add_farm(CLI::App& app, int& result) {
   auto* command = app.add_subcommand(
       "farm", "Renders a film on many machines: by Slurm, over ssh, or on a farm that reads job files");
   add_preset(command, to->preset);
+  add_pictures(command, to->preset);
   command->add_option("-o,--out", to->out,
                       "DIR: where to (out/<preset name>), on a disk that all machines see");
   command->add_option("--frames", to->frames, "A-B: only these frames");
@@ -260,14 +265,22 @@ void add_gallery(CLI::App& app, int& result) {
   command->add_option("names", to->names, "Only these pictures");
   command->add_option("-o,--out", to->out, "DIR: keeps what they are made of (out/gallery)");
   command->add_flag("--large", to->large,
-                    "Renders the best of them 1280 pixels wide, into docs/gallery/large, and lists nothing");
+                    "Renders the best of them 1280 pixels wide, into docs/gallery/large");
+  command->add_flag("--stale", to->stale,
+                    "Renders nothing: names the pictures whose scenes are not what they show");
   command->footer(
       "docs/gallery/pictures.txt says which there are, and which are large ones; further ones are "
       "example-NAME, of each\n"
       "scene in docs/examples, and grammars. Interrupted and run again it goes on where it stopped. "
       "docs/gallery.md lists\n"
       "them with the seconds of processor that POV-Ray took, here or where they were rendered last.\n\n"
-      "Example:\n  frond gallery reef tree-oak");
+      "docs/gallery/scenes.txt keeps a hash of the scene of each picture as it was rendered. --stale writes "
+      "the "
+      "scenes\n"
+      "anew and names, a line each, the pictures whose hash is another or not there; large ones as "
+      "large/NAME. What it has\n"
+      "found it keeps in --out, so that nothing is written twice for the same program and preset.\n\n"
+      "Examples:\n  frond gallery reef tree-oak\n  frond gallery $(frond gallery --stale)");
   command->callback([&result, to] { result = gallery(*to); });
 }
 

@@ -10,6 +10,7 @@
 #include "app/bar.h"
 #include "app/commands.h"
 #include "app/inputs.h"
+#include "app/judge.h"
 #include "app/messages.h"
 #include "app/out_folder.h"
 #include "app/rendering.h"
@@ -142,6 +143,24 @@ std::vector<SheetCell> cells_of(const std::vector<Sweep>& sweeps, const fs::path
   return cells;
 }
 
+/// What is wrong with one of the pictures: told before the first is made.
+Errors judge_cells(const RenderArguments& a, const std::vector<SheetCell>& cells, int frame) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    PresetArguments preset = a.preset;
+    preset.sets.insert(preset.sets.end(), cells[i].sets.begin(), cells[i].sets.end());
+    Result<Preset> read = load_preset(preset);
+    Errors errors = read ? refuse_resolving(read->film, a.resolve) : read.errors();
+    if (errors.empty() && frame > read->film.frames)
+      errors = {{"--frames",
+                 fmt::format("{} is no frame of this film; expected one of 1-{}", frame, read->film.frames)}};
+    if (errors.empty()) continue;
+    errors.push_back({"", fmt::format("picture {} of {} ({}) could not be made; none has been begun", i + 1,
+                                      cells.size(), cells[i].text)});
+    return errors;
+  }
+  return {};
+}
+
 /// Has the picture made, by a run like any other; its exit code.
 Result<int> render_cell(const RenderArguments& a, const SheetCell& cell, int frame) {
   Command command;
@@ -150,6 +169,7 @@ Result<int> render_cell(const RenderArguments& a, const SheetCell& cell, int fra
   command.words.push_back("--out=" + cell.folder.string());
   command.words.push_back(fmt::format("--frames={0}-{0}", frame));
   for (const std::string& set : cell.sets) command.words.push_back("--set=" + set);
+  if (a.resolve) command.words.push_back(*a.resolve ? "--resolve" : "--no-resolve");
   if (a.jobs > 0) command.words.push_back(fmt::format("--jobs={}", a.jobs));
   if (a.threads > 0) command.words.push_back(fmt::format("--threads={}", a.threads));
   command.end_with = SIGTERM;
@@ -187,7 +207,9 @@ Errors make_sheet(const std::vector<SheetCell>& cells, int frame, int columns, c
                      "-i",
                      "file:" + picture.string(),
                      "-vf",
-                     "format=rgb24," + labels.filter(fmt::format("label{}", i)),
+                     (manifest->transparent ? "format=gbrap,premultiply=inplace=1," + over_checks() + ","
+                                            : std::string()) +
+                         "format=rgb24," + labels.filter(fmt::format("label{}", i)),
                      "-frames:v",
                      "1",
                      "-update",
@@ -213,10 +235,12 @@ int sheet(const RenderArguments& a) {
                                : fs::path(a.out);
   out = fs::absolute(out, error).lexically_normal();
   fs::path pictures = out / "pictures";
+  std::vector<SheetCell> cells = cells_of(*sweeps, pictures);
+  if (Errors errors = judge_cells(a, cells, *frame); !errors.empty()) return fail_run(errors, kWrongInput);
+  if (Errors errors = refuse_folder(out); !errors.empty()) return fail_run(errors, kCouldNot);
   if (Errors link = refuse_link(pictures); !link.empty()) return fail_run(link, kCouldNot);
   fs::create_directories(pictures, error);
   if (error) return fail_run({{"", out.string() + ": the folder cannot be made"}}, kCouldNot);
-  std::vector<SheetCell> cells = cells_of(*sweeps, pictures);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     say(fmt::format("Picture {} of {}: {}", i + 1, cells.size(), cells[i].text));
     Result<int> code = render_cell(a, cells[i], *frame);

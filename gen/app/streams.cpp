@@ -14,6 +14,7 @@ namespace {
 
 std::atomic<int> failed = 0;  // errno of the first write to stdout that did not arrive
 std::atomic<const char*> doing = "starting";
+std::atomic<std::size_t> told = 0;  // of put_words()
 
 }  // namespace
 
@@ -32,7 +33,11 @@ void put(std::string_view text) {
 
 void flush() { (void)std::fflush(stdout); }
 
-void put_words(std::string_view text) { (void)std::fwrite(text.data(), 1, text.size(), stderr); }
+void put_words(std::string_view text) {
+  (void)std::fwrite(text.data(), 1, text.size(), stderr);
+  ++told;
+}
+std::size_t words_told() { return told; }
 
 Errors close_out() {
   if (std::fflush(stdout) != 0) {

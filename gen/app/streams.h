@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 #include "core/result.h"
@@ -19,6 +20,8 @@ void flush();
 /// Words for the user, to stderr, as they are; see messages.h for whole lines. Where they cannot be written
 /// nothing is lost but them.
 void put_words(std::string_view text);
+/// How often that was done.
+std::size_t words_told();
 
 /// Writes out what stdout still holds. Empty where all that was put arrived.
 Errors close_out();

@@ -97,7 +97,8 @@ int write_textures(const TextureArguments& arguments) {
     if (!look.leaves && !look.branches.coat) continue;
     any = true;
     const std::string& own = preset->organisms[i].name;
-    bool fit = !own.empty() && own.find('/') == own.npos && printable(own) == own;
+    bool fit =
+        !own.empty() && own.size() <= kLongestName && own.find('/') == own.npos && printable(own) == own;
     std::string name = fit ? own : fmt::format("organism_{}", i);
     if (look.branches.coat) album.bark(name, *look.branches.coat);
     if (look.leaves) album.leaves(name, *look.leaves);

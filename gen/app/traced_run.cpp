@@ -1,6 +1,7 @@
 #include "app/traced_run.h"
 
 #include "app/commands.h"
+#include "app/judge.h"
 #include "app/messages.h"
 #include "app/streams.h"
 
@@ -11,6 +12,7 @@ int TracedRun::begin(const Preset& preset, const std::optional<std::string>& fra
   Result<FrameRange> asked = read_frames(frames, last, {last, last});
   if (!asked) return fail(asked.errors(), kWrongInput);
   range = *asked;
+  if (Errors errors = refuse_folder(out); !errors.empty()) return fail(errors, kCouldNot);
   now_doing("growing what stands in the scene");
   Result<Scene> grown = build_scene(preset);
   if (!grown) return fail(grown.errors(), kWrongInput);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/heartbeat.h"
 #include "app/inputs.h"
 #include "core/work_folder.h"
 #include "scene/scene.h"
@@ -12,6 +13,7 @@ namespace frond {
 
 /// Frames of a preset that are traced without POV-Ray, and the folder that their pictures go to.
 struct TracedRun {
+  Heartbeat heartbeat;
   FrameRange range;
   std::filesystem::path out;
   WorkFolder models;  ///< files of sown models are in its folder `frames`

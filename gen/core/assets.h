@@ -26,7 +26,7 @@ struct FileName {
 
 /// The one rule for finding files that a preset or a grammar names: relative to the folder of the file that
 /// names them, then relative to the working folder. With `only`, nothing is read outside the folder of the
-/// preset and the folder `only` (links resolved), and `only` replaces the working folder.
+/// preset, the folder `only` (links resolved), which replaces the working folder, and Frond's own presets.
 class Assets {
  public:
   /// `preset` is the path of the file that is read first.

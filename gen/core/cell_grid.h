@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/vec.h"
@@ -9,10 +10,10 @@
 namespace frond {
 
 /// Points and boxes in cubic cells of one size, found by hash, for finding neighbours; the space has no
-/// border.
+/// border; beyond 2^30 cells from the middle all lies in the outermost one, and so does what is no number.
 class CellGrid {
  public:
-  explicit CellGrid(float cell) : cell_(cell), head_(kSlots, kEmpty) {}
+  explicit CellGrid(float cell) : cell_(cell), head_(kFewestSlots, kEmpty) {}
 
   void add(Vec3 at, std::uint32_t who) { put(cell_of(at), who); }
   /// Adds an object by its bounding box.
@@ -43,15 +44,25 @@ class CellGrid {
   }
 
  private:
-  static constexpr std::uint32_t kEmpty = ~0u, kSlots = 1u << 17;
+  static constexpr std::uint32_t kEmpty = ~0u;
+  static constexpr std::size_t kFewestSlots = std::size_t{1} << 17, kMostSlots = std::size_t{1} << 26;
   struct Entry {
     std::uint32_t next, who;
     glm::ivec3 cell;
   };
   void put(glm::ivec3 cell, std::uint32_t who) {
+    if (entry_.size() >= head_.size() && head_.size() < kMostSlots) widen();
     std::uint32_t& head = head_[slot(cell)];
     entry_.push_back({head, who, cell});
     head = static_cast<std::uint32_t>(entry_.size() - 1);
+  }
+  /// More slots, so that few cells share one; what is found, and its order, stays.
+  void widen() {
+    head_.assign(4 * head_.size(), kEmpty);
+    for (std::uint32_t e = 0; e < entry_.size(); ++e) {
+      std::uint32_t& head = head_[slot(entry_[e].cell)];
+      entry_[e].next = std::exchange(head, e);
+    }
   }
   template <class Visit>
   void each_cell(Vec3 low, Vec3 high, const Visit& visit) const {
@@ -60,11 +71,19 @@ class CellGrid {
       for (int y = from.y; y <= to.y; ++y)
         for (int z = from.z; z <= to.z; ++z) visit(glm::ivec3(x, y, z));
   }
-  glm::ivec3 cell_of(Vec3 at) const { return glm::ivec3(glm::floor(at / cell_)); }
-  static std::size_t slot(glm::ivec3 cell) {
+  glm::ivec3 cell_of(Vec3 at) const {
+    constexpr float kOutermost = 1 << 30;
+    auto one = [](float cell) {
+      if (!(cell > -kOutermost)) return static_cast<int>(-kOutermost);
+      return cell < kOutermost ? static_cast<int>(cell) : static_cast<int>(kOutermost);
+    };
+    Vec3 cell = glm::floor(at / cell_);
+    return {one(cell.x), one(cell.y), one(cell.z)};
+  }
+  std::size_t slot(glm::ivec3 cell) const {
     glm::uvec3 c(cell);
     std::uint32_t h = c.x * 73856093u ^ c.y * 19349663u ^ c.z * 83492791u;
-    return (h ^ h >> 15) % kSlots;
+    return (h ^ h >> 15) & (head_.size() - 1);
   }
 
   float cell_;

@@ -9,8 +9,9 @@ namespace frond {
 
 /// Trees that are felled.
 struct Cut {
-  std::string entry;  ///< the "name" of the organisms of which some are felled; empty: of all trees
-  double share = 1;   ///< of these that still stand, 0..1
+  std::string entry;    ///< the "name" of the organisms of which some are felled; empty: of all trees
+  double share = 1;     ///< of these that still stand, 0..1
+  bool by_own = false;  ///< whether they draw lots by their own seeds, not by their numbers
 };
 
 /// Limbs that are taken off.

@@ -14,7 +14,18 @@ namespace frond {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// The system takes a name to end at a NUL, and would open another file.
+Errors refused_name(const fs::path& path) {
+  if (path.native().find('\0') == std::string::npos) return {};
+  return {Error{path.string(), "is no name of a file: it holds a NUL"}};
+}
+
+}  // namespace
+
 Result<std::string> read_file(const fs::path& path) {
+  if (Errors errors = refused_name(path); !errors.empty()) return errors;
   std::error_code error;
   auto size = fs::file_size(path, error);
   if (error) return Error{path.string(), "cannot be read: " + error.message()};
@@ -80,6 +91,7 @@ fs::path temporary_beside(const fs::path& path) {
 }
 
 Result<bool> write_file(const fs::path& path, std::string_view text) {
+  if (Errors errors = refused_name(path); !errors.empty()) return errors;
   if (holds(path, text)) return false;
   std::error_code error;
   if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);

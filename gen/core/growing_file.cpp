@@ -1,7 +1,12 @@
 #include "core/growing_file.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <utility>
 #include <vector>
 
 #include "core/files.h"
@@ -30,44 +35,64 @@ bool same(const fs::path& one, const fs::path& other) {
   return a.eof() && b.eof();
 }
 
+std::error_code error_now() { return std::error_code(errno, std::generic_category()); }
+
 }  // namespace
 
 GrowingFile::GrowingFile(fs::path path) : path_(std::move(path)), temporary_(temporary_beside(path_)) {}
 
 GrowingFile::~GrowingFile() {
-  if (!out_.is_open()) return;
-  out_.close();
-  std::error_code error;
-  fs::remove(temporary_, error);
+  if (file_ < 0) return;
+  ::close(file_);
+  ::unlink(temporary_.c_str());
 }
 
-void GrowingFile::add(std::string_view text) {
-  held_ += text;
-  if (held_.size() < kHeld || error_ != 0) return;
-  if (!out_.is_open()) {
-    std::error_code error;
-    if (path_.has_parent_path()) fs::create_directories(path_.parent_path(), error);
-    fs::remove(temporary_, error);  // a link there would be written through
-    out_.open(temporary_, std::ios::binary);
+void GrowingFile::write_held() {
+  for (std::string_view left = held_; !left.empty() && !error_;) {
+    ssize_t written = ::write(file_, left.data(), left.size());
+    if (written >= 0)
+      left.remove_prefix(static_cast<std::size_t>(written));
+    else if (errno != EINTR)
+      error_ = error_now();
   }
-  out_.write(held_.data(), static_cast<std::streamsize>(held_.size()));
-  if (!out_) error_ = errno != 0 ? errno : EIO;
   held_.clear();
 }
 
+void GrowingFile::add(std::string_view text) {
+  if (error_) return;
+  held_ += text;
+  if (held_.size() < kHeld) return;
+  if (file_ < 0) {
+    if (path_.has_parent_path()) fs::create_directories(path_.parent_path(), error_);
+    if (error_) return;
+    ::unlink(temporary_.c_str());  // a link there would be written through
+    file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file_ < 0) error_ = error_now();
+  }
+  write_held();
+}
+
+Error GrowingFile::failed(std::string_view what) {
+  ::unlink(temporary_.c_str());
+  return Error{path_.string(), std::string(what) + reason_of(error_)};
+}
+
 Result<bool> GrowingFile::close() {
-  if (!out_.is_open() && error_ == 0) return write_file(path_, held_);
-  out_.write(held_.data(), static_cast<std::streamsize>(held_.size()));
-  out_.flush();
-  if (!out_ && error_ == 0) error_ = errno != 0 ? errno : EIO;
-  if (error_ != 0) return Error{path_.string(), std::string("cannot be written: ") + std::strerror(error_)};
-  if (same(temporary_, path_)) return false;
-  out_.close();
-  std::error_code error;
-  fs::rename(temporary_, path_, error);
-  if (!error) return true;
-  fs::remove(temporary_, error);
-  return Error{path_.string(), "cannot be put in place"};
+  if (file_ < 0 && !error_) return write_file(path_, held_);
+  if (file_ >= 0) {
+    write_held();
+    bool left_alone = !error_ && same(temporary_, path_);
+    if (!left_alone && !error_ && ::fsync(file_) != 0) error_ = error_now();
+    if (::close(std::exchange(file_, -1)) != 0 && !error_) error_ = error_now();
+    if (left_alone && !error_) {
+      ::unlink(temporary_.c_str());
+      return false;
+    }
+  }
+  if (error_) return failed("cannot be written: ");
+  fs::rename(temporary_, path_, error_);
+  if (error_) return failed("cannot be put in place: ");
+  return true;
 }
 
 }  // namespace frond

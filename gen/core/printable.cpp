@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/content.h"
 #include "core/utf8.h"
 
 namespace frond {
@@ -83,6 +84,7 @@ std::string plain_name(const std::string& name, std::string_view otherwise) {
   std::string text = name;
   std::ranges::replace_if(
       text, [](char c) { return !is_plain(c) || c == '.'; }, '_');
+  if (text.size() > kLongestName) text = text.substr(0, kLongestName - 17) + '_' + content_id(name);
   return text.empty() ? std::string(otherwise) : text;
 }
 

@@ -20,7 +20,10 @@ std::string printable(const Error& error);
 /// to quote.
 bool is_plain(char c);
 
-/// A name of letters, digits, - and _ alone; `otherwise` where nothing is left of it.
+inline constexpr std::size_t kLongestName = 100;  ///< bytes, so that files whose names have it are possible
+
+/// A name of letters, digits, - and _ alone; `otherwise` where nothing is left of it. Of one that is longer
+/// than kLongestName, the beginning and a hash.
 std::string plain_name(const std::string& name, std::string_view otherwise);
 
 /// A text escaped for XML, between tags or in quotes; control characters, which XML cannot contain, become

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
@@ -24,9 +25,40 @@ V cubic_place(const V& a, const V& b, const V& c, const V& d, Scalar t) {
   return s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d;
 }
 
+/// The slopes of a smooth line at a point, of the way that comes to it and of the one that goes on, each for
+/// the whole of its way.
+template <class V>
+struct SplineSlopes {
+  V in, out;
+};
+
+/// Where both ways are about as long, the slope of Catmull and Rom (1974): half the way from the point before
+/// to the one after. Where one is much longer, this would carry the line past the point and back; there the
+/// slopes are those of their centripetal curve, which go with the length of each way (Yuksel, Schaefer and
+/// Keyser 2011), and in between they pass from the one to the other.
+template <class V>
+SplineSlopes<V> spline_slopes(const V& before, const V& at, const V& after) {
+  using Scalar = typename V::value_type;
+  const V come = at - before, go = after - at, even = (after - before) * Scalar(0.5);
+  const Scalar a = glm::length(come), b = glm::length(go), ratio = std::max(a, b) / std::min(a, b);
+  if (!(ratio > Scalar(1.5))) return {even, even};
+  if (!(std::min(a, b) > 0)) return {V(0), V(0)};
+  const Scalar s = std::min((ratio - Scalar(1.5)) / Scalar(1.5), Scalar(1)), share = s * s * (3 - 2 * s);
+  const Scalar in = std::sqrt(a), out = std::sqrt(b);
+  const V speed = (come * (out / in) + go * (in / out)) / (in + out);
+  // Both of one direction, or there would be a corner.
+  const V way = even + (speed * std::sqrt(in * out) - even) * share;
+  const Scalar long_even = glm::length(even), long_speed = glm::length(speed), unit = glm::length(way);
+  if (!(unit > 0)) return {V(0), V(0)};
+  const auto slope = [&](Scalar along) {
+    return way * ((long_even + (long_speed * along - long_even) * share) / unit);
+  };
+  return {slope(in), slope(out)};
+}
+
 /// A point of a line. Its handles lead from it to the control points of the cubic Bézier curves that end and
 /// begin there; where only one is given the other is opposite to it, and without any the line has a corner
-/// there or, where it is smooth, the slope of Catmull and Rom (1974): from the point before to the one after.
+/// there or, where it is smooth, the slope that spline_slopes() gives.
 template <class V>
 struct SplinePoint {
   V at{0};
@@ -60,7 +92,10 @@ std::vector<V> spline_places(std::span<const SplinePoint<V>> points, const Splin
     const SplinePoint<V>& p = points[i];
     if (p.handled()) return on ? handle_of(p.out, p.in) : handle_of(p.in, p.out);
     if (!shape.smooth) return V(0);
-    return (near(i, 1) - near(i, -1)) * static_cast<Scalar>(on ? 1.0 / 6 : -1.0 / 6);
+    bool inner = shape.closed || (i > 0 && i + 1 < count);
+    if (!inner) return (near(i, 1) - near(i, -1)) * static_cast<Scalar>(on ? 1.0 / 6 : -1.0 / 6);
+    SplineSlopes<V> slopes = spline_slopes(near(i, -1), p.at, near(i, 1));
+    return (on ? slopes.out : slopes.in) * static_cast<Scalar>(on ? 1.0 / 3 : -1.0 / 3);
   };
   std::vector<V> places;
   for (std::size_t i = 0; i < spans; ++i) {

@@ -99,6 +99,7 @@ struct Statement {
   int target = -1;            ///< a slot, or the node of an element
   int formula = -1;           ///< the value, the condition or the call
   int body = -1, other = -1;  ///< blocks
+  int place = -1;             ///< of a loop: where it stands, in Code::places
 };
 
 /// A module of a pattern. Its formal parameters have the next `count` places in the frame, from `first` on.
@@ -167,7 +168,7 @@ struct Code {
   std::vector<int> lists;  ///< runs of nodes
   std::vector<std::vector<Statement>> blocks;
   std::vector<std::string> strings;
-  std::vector<std::string> places;  ///< where calls stand
+  std::vector<std::string> places;  ///< where calls and loops stand
   std::vector<CpfgSystem> systems;
   int locals = 0;   ///< values that productions keep for themselves
   int formals = 0;  ///< the most that a production has

@@ -143,7 +143,8 @@ struct CpfgLimits {
   int steps = 1'000'000;
   std::size_t modules = 40'000'000;  ///< of a word, parameters counted as modules; about 20 bytes each
   std::uint64_t work =
-      8'000'000'000;  ///< operations of formulas and modules looked at, in all; about a minute
+      2'000'000'000;  ///< operations of formulas and modules looked at, in all; about 15 seconds
+  std::uint64_t turns = 10'000'000;  ///< of one loop of a block, with those within it; about a second
 };
 
 struct CpfgRequest {

@@ -145,7 +145,7 @@ void append_number(std::string& text, float value) {
 }  // namespace
 
 Run begin_run(const Code& code, const CpfgLimits& limits, std::uint64_t variation) {
-  Run run{code, limits, variation, {}, 0, {}, {}, {}, {}, 0, 0, false, {}, {}};
+  Run run{code, limits, variation, {}, 0, {}, {}, {}, {}, 0, 0, 0, 0, false, {}, {}};
   run.formals.resize(static_cast<std::size_t>(code.formals));
   run.locals.resize(static_cast<std::size_t>(code.locals));
   if (variation != 0) run.chance = {Congruential48(variation), false, 0};

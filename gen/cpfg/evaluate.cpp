@@ -185,6 +185,13 @@ bool Run::goes_on(std::uint64_t more) {
   return !error;
 }
 
+bool Run::turns_on(int place) {
+  if (++turns > limits.turns)
+    fail(code.places[static_cast<std::size_t>(place)],
+         fmt::format("the loop has made {} turns; it may go on without end", limits.turns));
+  return !error;
+}
+
 void Run::fail(std::string where, std::string what) {
   if (!error) error = Error{std::move(where), std::move(what)};
 }
@@ -243,6 +250,20 @@ double constant_of(const Code& code, int formula) {
   return run.error ? std::nan("") : value;
 }
 
+namespace {
+
+void carry_out_loop(Run& run, const Statement& loop) {
+  if (run.loops++ == 0) run.turns = 0;
+  bool more = loop.kind == StatementKind::loop_after || evaluate(run, loop.formula) != 0;
+  while (more && run.turns_on(loop.place)) {
+    carry_out(run, loop.body);
+    more = evaluate(run, loop.formula) != 0;
+  }
+  --run.loops;
+}
+
+}  // namespace
+
 void carry_out(Run& run, int block) {
   if (block < 0) return;
   for (const Statement& statement : run.code.blocks[static_cast<std::size_t>(block)]) {
@@ -273,11 +294,8 @@ void carry_out(Run& run, int block) {
         carry_out(run, holds() ? statement.body : statement.other);
         break;
       case StatementKind::loop:
-        while (holds()) carry_out(run, statement.body);
-        break;
       case StatementKind::loop_after:
-        do carry_out(run, statement.body);
-        while (holds());
+        carry_out_loop(run, statement);
         break;
     }
   }

@@ -194,4 +194,11 @@ bool MacroTable::is_open(std::string_view text) const {
   return false;
 }
 
+bool MacroTable::ends_in_call(std::string_view text) const {
+  std::size_t end = text.find_last_not_of(" \t\n") + 1, from = end;
+  while (from > 0 && is_name_letter(text[from - 1])) --from;
+  auto macro = macros.find(text.substr(from, end - from));
+  return macro != macros.end() && macro->second.is_function;
+}
+
 }  // namespace frond::cpfg

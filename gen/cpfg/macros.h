@@ -27,6 +27,8 @@ struct MacroTable {
   std::string expanded(std::string_view text);
   /// Whether the text ends within the arguments of a macro, so that they go on in the next line.
   bool is_open(std::string_view text) const;
+  /// Whether the text ends with the name of a macro that takes arguments.
+  bool ends_in_call(std::string_view text) const;
   /// Reads what follows `#define`.
   void define(std::string_view text);
 

@@ -21,7 +21,8 @@ std::string PlainText::where(std::size_t offset) const {
 
 namespace {
 
-constexpr std::size_t kMostBytes = 8'000'000, kMostIncludes = 20, kMostJoined = 200;
+constexpr std::size_t kMostBytes = 8'000'000, kDeepestInclude = 20, kMostJoined = 200;
+constexpr std::size_t kMostIncludes = 2'000, kMostRead = 50'000'000;  // files, and their bytes, in all
 
 struct LogicalLine {
   std::string text;
@@ -79,7 +80,7 @@ class Preprocessor {
 
   void read(const std::string& file, std::string_view text, std::size_t depth) {
     std::size_t open_before = conditions_.size();
-    if (depth > kMostIncludes) return fail({file, 1}, "files include each other more than 20 deep");
+    if (depth > kDeepestInclude) return fail({file, 1}, "files include each other more than 20 deep");
     std::vector<LogicalLine> lines = logical_lines(text);
     if (lines.back().text.empty()) lines.pop_back();
     for (std::size_t i = 0; i < lines.size() && !error_; ++i) {
@@ -89,7 +90,8 @@ class Preprocessor {
         put("", place);
       } else if (keeps()) {
         std::size_t last = std::min(i + kMostJoined, lines.size() - 1);
-        while (i < last && table_.is_open(line)) line += '\n' + lines[++i].text;
+        while (i < last && (table_.is_open(line) || begins_call(line, lines, i + 1)))
+          line += '\n' + lines[++i].text;
         std::string expanded = table_.expanded(line);
         if (table_.error.empty()) put(expanded, place);
       }
@@ -107,6 +109,15 @@ class Preprocessor {
  private:
   void fail(const LinePlace& place, std::string what) {
     if (!error_) error_ = Error{place.text(), std::move(what)};
+  }
+
+  /// Whether a line ends with the name of a macro whose arguments begin in a later line.
+  bool begins_call(std::string_view line, const std::vector<LogicalLine>& lines, std::size_t next) const {
+    if (!table_.ends_in_call(line)) return false;
+    for (; next < lines.size(); ++next)
+      if (std::string_view behind = without_blanks(lines[next].text); !behind.empty())
+        return behind.starts_with('(');
+    return false;
   }
 
   bool keeps() const { return conditions_.empty() || conditions_.back().kept; }
@@ -197,8 +208,13 @@ class Preprocessor {
     std::size_t length = string_length(named);
     if (length < 3) return fail(place, fmt::format("`#include {}`: expected a file's name in quotes", rest));
     std::string name(named.substr(1, length - 2));
+    if (++includes_ > kMostIncludes || read_ > kMostRead)
+      return fail(place,
+                  "more than 2,000 files or 50 MB are included in all; expected fewer, as where files "
+                  "do not include each other again and again");
     Result<std::string> text = include_(name);
     if (!text) return fail(place, fmt::format("#include \"{}\": {}", name, text.errors()[0].what));
+    read_ += text->size();
     read(name, *text, depth + 1);
   }
 
@@ -206,6 +222,7 @@ class Preprocessor {
   MacroTable table_;
   PlainText out_;
   std::vector<OpenCondition> conditions_;
+  std::size_t includes_ = 0, read_ = 0;
   std::optional<Error> error_;
 };
 

@@ -37,7 +37,7 @@ using IncludeReader = std::function<Result<std::string>(const std::string& name)
 /// What the GNU preprocessor of the 1990s makes of a text: macros of both forms with any text as their body,
 /// lines joined by `\`, conditions, included files, comments of both kinds (`/* */` becomes a blank). A run
 /// of letters, digits and `_` is one name. A line that begins with `#` but names no directive stays. Texts of
-/// more than 8 MB, macros that become more, and includes deeper than 20 are refused.
+/// more than 8 MB, macros that become more, includes deeper than 20 and more than 2,000 of them are refused.
 Result<PlainText> preprocess(const std::string& file, std::string_view text,
                              const std::vector<Predefined>& names, const IncludeReader& include);
 

@@ -48,12 +48,12 @@ void GrammarReader::read_statement(std::vector<Statement>& statements) {
       statement.other = read_block();
     statements.push_back(statement);
   } else if (word == "while") {
-    statement.kind = StatementKind::loop;
+    statement.kind = StatementKind::loop, statement.place = add_place(from);
     statement.formula = read_loop_condition();
     if (!failed()) statement.body = read_block();
     statements.push_back(statement);
   } else if (word == "do") {
-    statement.kind = StatementKind::loop_after;
+    statement.kind = StatementKind::loop_after, statement.place = add_place(from);
     statement.body = read_block();
     if (!failed() && take_name() != "while") fail("`do` has no `while`");
     if (!failed()) statement.formula = read_loop_condition();

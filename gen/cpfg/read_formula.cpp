@@ -148,7 +148,8 @@ int GrammarReader::read_unary() {
   }
   if (++depth_ > kDeepestFormula) fail("formulas stand too deep in each other; expected at most 300 levels");
   cursor_.take_one();
-  int node = failed() ? -1 : c == '!' && cursor_.peek() != '!' ? read_primary() : read_unary();
+  bool more = std::string_view("-!&").find(cursor_.peek()) != std::string_view::npos;
+  int node = failed() ? -1 : c == '!' && !more ? read_primary() : read_unary();
   --depth_;
   return c == '&' ? node : add({c == '-' ? FormulaKind::negate : FormulaKind::negation, node});
 }
@@ -257,8 +258,7 @@ int GrammarReader::read_call(std::string_view name, std::size_t from) {
   if (row->support == Support::no_effect)
     notes.push_back(fmt::format("{}: `{}` has no effect", where(from), name));
   FormulaNode node{FormulaKind::call, static_cast<int>(row->function), add_list(arguments), count};
-  code_.places.push_back(where(from));
-  node.line = static_cast<int>(code_.places.size()) - 1;
+  node.line = add_place(from);
   return add(node);
 }
 

@@ -34,6 +34,11 @@ std::string GrammarReader::where(std::size_t position) {
   return plain_.places[std::min(counted_lines_, plain_.places.size() - 1)].text();
 }
 
+int GrammarReader::add_place(std::size_t position) {
+  code_.places.push_back(where(position));
+  return static_cast<int>(code_.places.size()) - 1;
+}
+
 void GrammarReader::fail_at(std::size_t position, std::string what) {
   if (!error_) error_ = Error{where(position), std::move(what)};
   cursor_.go_to_end();
@@ -66,16 +71,22 @@ bool GrammarReader::take_key(std::string_view words, std::string_view capitals) 
   return false;
 }
 
-/// Takes a line that begins a section or a ring.
-bool GrammarReader::take_section(std::string_view word) {
+/// Takes a word that may begin with a capital, its `:` and, of a section with productions, `warnings` or `no
+/// warnings`. A production may follow in the line of such a section; behind other words the line ends.
+bool GrammarReader::take_section(std::string_view word, bool has_productions) {
   std::string_view rest = cursor_.rest();
   bool same =
       rest.size() >= word.size() && (rest[0] | 0x20) == word[0] && rest.substr(1).starts_with(word.substr(1));
   if (!same) return false;
-  std::string_view behind = without_blanks(rest.substr(word.size(), rest.find('\n') - word.size()));
+  std::string_view line = rest.substr(0, rest.find('\n')), behind = without_blanks(line.substr(word.size()));
   if (behind.starts_with(':')) behind = without_blanks(behind.substr(1));
-  if (!behind.empty() && behind != "warnings" && behind != "no warnings") return false;
-  cursor_.take_line();
+  for (std::string_view warnings : {"no warnings", "warnings"})
+    if (behind.starts_with(warnings)) behind = without_blanks(behind.substr(warnings.size()));
+  bool spaced = line.size() == word.size() || std::string_view(" \t:").find(line[word.size()]) != line.npos;
+  bool follows = has_productions && spaced && behind.find("-->") != behind.npos && !behind.starts_with("-->");
+  if (!behind.empty() && !follows) return false;
+  auto length = behind.empty() ? line.size() : static_cast<std::size_t>(behind.data() - line.data());
+  cursor_.go_to(cursor_.position() + length);
   return true;
 }
 
@@ -100,8 +111,8 @@ std::int64_t GrammarReader::read_whole(std::string_view what) {
 bool GrammarReader::read_section_item(ProductionSet& set) {
   if (take_key("maximum depth", "M       D    ")) {
     std::int64_t depth = read_whole("the maximum depth");
-    if (!failed() && (depth < 0 || depth > 1'000'000)) fail("the maximum depth is to be 0 to 1,000,000");
-    set.depth = static_cast<int>(depth);
+    if (!failed() && depth > 1'000'000) fail("the maximum depth is to be at most 1,000,000");
+    set.depth = static_cast<int>(std::clamp<std::int64_t>(depth, 0, 1'000'000));
   } else if (take_key("seed", "S")) {
     set.seed = read_whole("the seed");
     set.has_seed = &set != &system_->decomposition;
@@ -165,11 +176,11 @@ void GrammarReader::read_system() {
     if (cursor_.at_end()) return fail("the L-system has no `endlsystem`");
     if (take_section("endlsystem") || take_section("endLsystem")) break;
     scope_ = {};
-    if (take_section("decomposition")) {
+    if (take_section("decomposition", true)) {
       if (section_ == &system.homomorphism)
         return fail("the decomposition comes after the homomorphism; expected it before");
       section_ = &system.decomposition;
-    } else if (take_section("homomorphism")) {
+    } else if (take_section("homomorphism", true)) {
       section_ = &system.homomorphism;
     } else if (take_key("production", "P")) {
       return fail("cpfg has no `production:`; this is a model of L-Py or of an older program");
@@ -178,7 +189,6 @@ void GrammarReader::read_system() {
     }
   }
   if (!system.has_axiom) fail("the L-system has no `Axiom:`");
-  if (system.rules.productions.empty()) fail("the L-system has no production");
 }
 
 void GrammarReader::read() {

@@ -74,12 +74,13 @@ class GrammarReader {
   bool read_item(CpfgSystem& system);
   bool read_section_item(ProductionSet& set);
   bool take_key(std::string_view words, std::string_view capitals = {});
-  bool take_section(std::string_view word);
+  bool take_section(std::string_view word, bool has_productions = false);
   void read_characters(CpfgSystem& system, bool considered);
   std::int64_t read_whole(std::string_view what);
   void end_item(std::string_view after);
   void fail(std::string what) { fail_at(cursor_.position(), std::move(what)); }
   std::string where(std::size_t position);
+  int add_place(std::size_t position);  ///< its index in Code::places
   void fail_at(std::size_t position, std::string what);
   std::string found();
   bool failed() const { return error_.has_value(); }

@@ -33,7 +33,9 @@ struct Run {
   FormulaChance chance;
   std::vector<Congruential48> lots;  ///< of each L-system
   std::uint64_t work = 0;
-  double length = 0;  ///< the derivation length
+  int loops = 0;            ///< loops of blocks that stand in each other now
+  std::uint64_t turns = 0;  ///< turns of the outermost of them and all within it
+  double length = 0;        ///< the derivation length
   bool stopped = false;
   std::optional<Error> error;
   std::set<std::string> notes;
@@ -41,6 +43,8 @@ struct Run {
   const CpfgSystem& system() const;
   /// Counts work; false when there was too much, or there is an error.
   bool goes_on(std::uint64_t more = 1);
+  /// Counts a turn of a loop, likewise; `place` is an index into Code::places.
+  bool turns_on(int place);
   void fail(std::string where, std::string what);
 };
 

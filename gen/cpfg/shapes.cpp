@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 
 #include "cpfg/turtle.h"
 
@@ -78,9 +77,9 @@ class ShapeReader {
       return;
     }
     if (shapes_.surfaces.contains(words_[0][0])) return;
-    double scale = words_.size() > 2 ? std::atof(words_[2].c_str()) : 1;
+    double scale = words_.size() > 2 ? leading_number(words_[2]) : 1;
     std::array<int, 2> pieces{};
-    if (words_.size() > 4) pieces = {std::atoi(words_[3].c_str()), std::atoi(words_[4].c_str())};
+    if (words_.size() > 4) pieces = {leading_whole(words_[3]), leading_whole(words_[4])};
     Result<TurtleSurface> surface = read_file(*text, std::isfinite(scale) && scale > 0 ? scale : 1, pieces);
     if (!surface) return fail(line, fmt::format("{}: {}", words_[1], surface.errors()[0].what));
     shapes_.surfaces[words_[0][0]] = std::move(*surface);
@@ -91,7 +90,7 @@ class ShapeReader {
     if (!text) return fail(line, text.errors()[0].what);
     Result<ContourFile> contour = read_contour(*text, true);
     if (!contour) return fail(line, fmt::format("{}: {}", words_[1], contour.errors()[0].what));
-    if (int number = std::atoi(words_[0].c_str()); number != 0)
+    if (int number = leading_whole(words_[0]); number != 0)
       shapes_.contours[number] = measure(*contour, samples_of_contour(*contour));
   }
 

@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <charconv>
+#include <cmath>
 
 #include "core/files.h"
 #include "cpfg/macros.h"
@@ -52,6 +53,17 @@ std::vector<std::string> words_in(std::string_view text) {
     text.remove_prefix(length);
   }
   return words;
+}
+
+double leading_number(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  double value = 0;
+  auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return error == std::errc{} && std::isfinite(value) ? value : 0;
+}
+
+int leading_whole(std::string_view word) {
+  return static_cast<int>(std::clamp(leading_number(word), -1e9, 1e9));
 }
 
 Result<std::string> ModelFolder::read(const std::string& name) {
@@ -129,7 +141,7 @@ Result<ViewCurves> read_curves(ModelFolder& folder, const std::vector<CpfgViewLi
     if (words.empty()) return Error{line.where, "expected the name of a file"};
     Result<std::string> text = folder.read(words[0]);
     if (!text) return Error{line.where, text.errors()[0].what};
-    int samples = words.size() > 1 ? std::clamp(std::atoi(words[1].c_str()), 0, 100'000) : 0;
+    int samples = words.size() > 1 ? std::clamp(leading_whole(words[1]), 0, 100'000) : 0;
     auto wrong = [&](const Errors& errors) { return Error{line.where, words[0] + ": " + errors[0].what}; };
     if (one) {
       Result<FunctionTable> function = read_function(*text, samples);

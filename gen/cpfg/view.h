@@ -28,6 +28,10 @@ class ModelFolder {
 };
 
 std::vector<std::string> words_in(std::string_view text);
+/// The number that a word begins with, in any locale; 0 where it begins with none. The second one is cut to a
+/// whole number.
+double leading_number(std::string_view word);
+int leading_whole(std::string_view word);
 
 /// The files that belong to a grammar: those that the folder's `specifications` names, else those of the same
 /// name, else the only one of its kind.

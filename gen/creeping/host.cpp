@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/wanted.h"
 #include "creeping/soup.h"
 
 namespace frond {
@@ -154,7 +155,7 @@ struct Host::Tree {
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene, geometry);
     rtcReleaseGeometry(geometry);
-    rtcCommitScene(scene);
+    isolated([&] { rtcCommitScene(scene); });
     return rtcGetDeviceError(device) == RTC_ERROR_NONE;
   }
 
@@ -280,7 +281,10 @@ Vec3 Host::paint(std::uint32_t triangle, const DVec3& point) const {
 }
 
 bool Host::has_paint(int channel) const {
-  return std::ranges::any_of(paint_, [&](const auto& corners) { return !std::isnan(corners[0][channel]); });
+  // A grey below 0 only bars creepers.
+  return std::ranges::any_of(paint_, [&](const auto& corners) {
+    return channel == 2 ? corners[0][channel] >= 0 : !std::isnan(corners[0][channel]);
+  });
 }
 
 /// Tells outside from inside at any feature (Baerentzen and Aanaes 2005).

@@ -49,7 +49,9 @@ inline double lift_of(const Crawl& crawl) { return 0.1 * crawl.radius; }
 inline double mask_at(const Crawl& crawl, const Host& host, const Tread& tread) {
   return crawl.mask ? crawl.mask->at(host, tread.triangle, tread.contact) : 1;
 }
+/// Whether nothing may creep there: by the host itself, or by the mask.
 inline bool barred(const Crawl& crawl, const Host& host, const Tread& tread) {
+  if (host.paint(tread.triangle, tread.contact).z < 0) return true;
   return crawl.mask && crawl.mask->stops > 0 && mask_at(crawl, host, tread) < crawl.mask->stops;
 }
 /// The distance that strands keep from each other there.

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/cell_grid.h"
+#include "core/wanted.h"
 
 namespace frond {
 
@@ -32,8 +33,7 @@ class Colony {
     if (points_.empty()) return Error{"", "the envelope has no room for branches"};
     add(Vec3(0), Skeleton::kRoot, Vec3(0, 1, 0));
     reach_envelope(follow(guides));
-    for (std::uint64_t round = 0; round < 20000 && step(round); ++round) {
-    }
+    for (std::uint64_t round = 0; round < 20000 && step(round); ++round) stay_wanted();
     return std::move(tree_);
   }
 

@@ -245,7 +245,7 @@ std::vector<Streak> snow_powder(const Scene& scene, double time) {
     Powder add(flurry, powder);
     for (const auto& [bough, nodes] : falling)
       add.add_bough(scene.specimens[s].model.skeleton, nodes, load->drops[static_cast<std::size_t>(bough)],
-                    scene.seed.child("powder", s).child(static_cast<std::uint64_t>(bough)));
+                    load->powder.child(static_cast<std::uint64_t>(bough)));
   }
   return powder;
 }

@@ -231,7 +231,8 @@ void describe(Visitor& v, LeafLook& l) {
   v.given("colors", colored);
   v.file(
       "photo", l.photo, [&](const NamedFile& file) { return load_leaf_photo(file, colored, l); },
-      "A PNG file of a leaf that was cut out of a photograph, with transparency around it, the foot of its "
+      "A picture (PNG or WebP) of a leaf that was cut out of a photograph, with transparency around it, the "
+      "foot of its "
       "stalk at "
       "the bottom in the middle and its tip at the top; it gives the outline and the picture instead of the "
       "shape, "
@@ -284,7 +285,8 @@ void describe(Visitor& v, BarkCoat& c) {
       "Height of the piece of bark that the photograph shows; wrap and aspect follow from it. Needs photo");
   v.file(
       "photo", c.photo, [&](const NamedFile& file) { return load_bark_photo(file, c); },
-      "A PNG file of a photograph of bark, upright as it stands on the trunk, instead of the pattern and its "
+      "A photograph of bark (PNG, JPEG or WebP), upright as it stands on the trunk, instead of the pattern "
+      "and its "
       "colours; it "
       "is made to repeat without seams, and dark places are furrows");
   v.number("relief", c.relief, {.min = 0, .max = 10},

@@ -1,26 +1,27 @@
 #include "estimate/estimate_cost.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
 
-#include "core/figures.h"
 #include "draw/eyes.h"
 #include "draw/levels.h"
 #include "draw/solids.h"
+#include "dress/mask_drawing.h"
 #include "emit/setting.h"
 #include "emit/solid.h"
 #include "estimate/estimate_ground_cost.h"
+#include "estimate/estimate_pictures.h"
 #include "field/volume.h"
 #include "film/soft_light.h"
 #include "organisms/organism.h"
 #include "scene/bounds.h"
 #include "scene/copies.h"
+#include "scene/entry_seeds.h"
 #include "scene/style.h"
 #include "scene/wind.h"
+#include "settings/meadow.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -214,6 +215,7 @@ struct Sums {
   // Names of pictures and models that are counted: several entries may share them.
   std::set<std::string> drawn, grown;
 
+  void add_drawing(const Drawing& drawing, double& memory);
   void add_pictures(const Look& look);
   void add_sown(const Preset& preset, std::size_t o, const SizeEstimate& size, const Dress& dress,
                 double made, double grows);
@@ -221,13 +223,19 @@ struct Sums {
                     double made, double held, double grows, Seed seed);
 };
 
+void Sums::add_drawing(const Drawing& drawing, double& memory) {
+  if (!drawn.insert(drawing.names.at(0)).second) return;
+  f.shared_bytes += kDrawnBytes * drawing.pixels;
+  f.growth_seconds += drawing.seconds;
+  memory += kHeldPixel * drawing.pixels;
+}
+
 void Sums::add_pictures(const Look& look) {
   double memory = 0;
   for (const Drawing& drawing : drawings(look)) {
-    if (!drawn.insert(drawing.names.at(0)).second) continue;
-    f.shared_bytes += kDrawnBytes * drawing.pixels;
-    f.growth_seconds += drawing.seconds;
-    memory += kHeldPixel * drawing.pixels;
+    // A mask is held from when the preset is read, each by itself.
+    if (drawing.names.at(0).starts_with("mask_")) f.scene_memory += kMaskHeld * drawing.pixels;
+    add_drawing(drawing, memory);
   }
   growing = std::max(growing, memory);
 }
@@ -287,18 +295,22 @@ void Sums::add_standing(const Preset& preset, std::size_t o, const SizeEstimate&
 
 Result<Sums> sums_of(const Preset& preset) {
   Sums sums;
-  double shaded = left_in_shade(preset);
+  MaskCostEstimate masks = estimate_masks(preset);
+  sums.f.scene_memory = masks.held;
+  sums.growing = masks.read;
+  if (const Mask& grass = preset.stage.block<Meadow>().lawn.map; !grass.empty())
+    sums.add_drawing(mask_drawing(grass), sums.growing);
+  const double shaded = left_in_shade(preset);
+  const std::vector<Seed> seeds = entry_seeds(preset, "organism");
   for (std::size_t o = 0; o < preset.organisms.size(); ++o) {
     const Organism& organism = preset.organisms[o];
-    if (organism.count == 0 && trees_of_stand(preset, organism) == 0) continue;
     const Grower& grower = *organism.grower;
-    Seed seed = Seed{preset.seed}.child("organism", o);
-    Result<SizeEstimate> sized = grower.estimate_size(seed);
+    if (organism.count == 0 && trees_of_stand(preset, organism) == 0) continue;
+    Result<SizeEstimate> sized = grower.estimate_size(seeds[o]);
     if (!sized) return sized.errors();
     SizeEstimate& size = *sized;
-    if (!organism.sown && grower.shares_light()) {
+    if (!organism.sown && grower.shares_light())
       size.nodes *= shaded, size.organs *= shaded, size.parts *= shaded, size.seconds *= shaded;
-    }
     Dress dress = grower.dress();
     double held = kHeldNode * size.nodes + kHeldOrgan * size.organs + kCorner * size.corners +
                   kHeldTriangle * size.triangles + 100 * size.blocks + size.held / 2;
@@ -313,16 +325,9 @@ Result<Sums> sums_of(const Preset& preset) {
     if (organism.sown)
       sums.add_sown(preset, o, size, dress, made, grows);
     else
-      sums.add_standing(preset, o, size, dress, made, held, grows, seed);
+      sums.add_standing(preset, o, size, dress, made, held, grows, seeds[o]);
   }
   return sums;
-}
-
-Errors refuse_memory(double memory, std::size_t largest, const Machine& machine) {
-  if (memory <= machine.memory) return {};
-  return {{"", fmt::format("the run would take about {} of memory, and {} can be had; /organisms/{} takes "
-                           "most of it: fewer or smaller ones, or fewer steps or years",
-                           bytes_text(memory), bytes_text(machine.memory), largest)}};
 }
 
 }  // namespace
@@ -345,6 +350,7 @@ Result<CostEstimate> estimate_cost(const Preset& preset, int frames) {
   CostEstimate& f = sums->f;
   GroundCostEstimate ground = estimate_ground_cost(preset, tallest_of(preset), f.copies > kCrowdedLight);
   f.frames = frames;
+  f.resolve_memory = estimate_resolving(preset);
   f.exposures = exposures(preset.film, preset.stage.camera);
   f.scene_memory += kProgram + ground.memory;
   f.growth_seconds += kStart + ground.seconds;
@@ -379,22 +385,6 @@ Result<ViewCostEstimate> estimate_view_cost(const Preset& preset) {
   view.memory = kProgram + sums->f.scene_memory + sums->growing;
   view.largest = sums->f.largest;
   return view;
-}
-
-Errors refuse(const CostEstimate& f, const Machine& machine) {
-  Errors errors = refuse_memory(f.memory(1), f.largest, machine);
-  if (f.disk() > machine.disk)
-    errors.push_back(
-        {"", fmt::format("the run would write about {}, {} frames of {} and {} beside them, and "
-                         "{} of the disk are free; fewer frames (film.frames, --frames), or "
-                         "another --out; /organisms/{} takes most of it",
-                         bytes_text(f.disk()), f.frames, bytes_text(f.frame_bytes + f.picture_bytes),
-                         bytes_text(f.shared_bytes), bytes_text(machine.disk), f.largest)});
-  return errors;
-}
-
-Errors refuse(const ViewCostEstimate& view, const Machine& machine) {
-  return refuse_memory(view.memory, view.largest, machine);
 }
 
 }  // namespace frond

@@ -10,6 +10,7 @@
 #include "scene/bounds.h"
 #include "scene/camera.h"
 #include "scene/far.h"
+#include "scene/snow.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -31,6 +32,9 @@ constexpr double kDenseCover = 2;       // m2 of leaves a square metre
 constexpr double kCellHeld = 29, kProbeHeld = 150;
 constexpr double kCellLit = 5.4e-8, kProbeLit = 4.1e-6;
 constexpr double kPlainLight = 0.65;  // of the time that rays take whose light passes through a picture
+// Of the snow on the ground, a triangle: bytes of text, of memory, seconds. Of puddles: bytes and seconds.
+constexpr double kSnowText = 40, kSnowHeld = 190, kSnowLaid = 8e-6;
+constexpr double kPuddlesText = 3e5, kPuddlesFilled = 0.05;
 // Of a picture that a frame has of its own, a pixel.
 constexpr double kOwnPixelBytes = 0.25, kOwnPixelSeconds = 8e-7;
 
@@ -78,6 +82,12 @@ GroundCostEstimate estimate_ground_cost(const Preset& preset, double tall, bool 
                       : kLaidTriangleText * laid.triangles + kGrassTriangleText * laid.grass +
                             kLaidPlacementText * laid.placed;
   cost.seconds = pieces / kGroundLaid + cost.bytes / kGroundWritten;
+  if (is_snowy(preset.stage) && preset.stage.snow.deepest() > 0) {
+    double rings = snow_rings(preset.film.quality), triangles = 4 * rings * rings;
+    cost.bytes += kSnowText * triangles, cost.memory += kSnowHeld * triangles;
+    cost.seconds += kSnowLaid * triangles;
+  }
+  if (is_rainy(preset.stage)) cost.bytes += kPuddlesText, cost.seconds += kPuddlesFilled;
   if (!has_soft_light(preset.stage)) return cost;
   SoftLight::Size light = estimate_light(scene, tall);
   crowded = crowded || scene.ground->low_cover().area > kDenseCover;

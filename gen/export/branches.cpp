@@ -6,6 +6,7 @@
 #include "core/bounds.h"
 #include "core/linear.h"
 #include "export/box_map.h"
+#include "export/weld.h"
 #include "geometry/far.h"
 #include "geometry/tubes.h"
 
@@ -15,6 +16,26 @@ namespace {
 
 constexpr double kFirstGrain = 1.0 / 6000, kCoarserGrain = 1.4;  // of its size, where branches are too many
 constexpr double kLastGrain = 0.05;
+constexpr double kMostStretch = 1.41;  // of a bark's height along a branch, and of its inverse
+
+/// Lets a bark go as far along twigs as along the trunk, within a factor of two; along its own circumference,
+/// which a picture goes whole times round, it would be a hundred times smaller there.
+void keep_bark_long(TubeMesh& mesh, const Skeleton& rest, const TubeShape& shape) {
+  std::vector<float> factor(rest.size(), 1);
+  auto n = static_cast<std::int32_t>(rest.size());
+  for (std::int32_t first = 0, last = 0; first < n; first = last + 1) {
+    for (last = first; last + 1 < n && rest.parent[last + 1] == last;) ++last;
+    double thick = 0;
+    for (std::int32_t i = first; i <= last; ++i)
+      thick = std::max(thick, static_cast<double>(shape.girth.empty() ? rest.radius[i] : shape.girth[i]));
+    double round = 2 * kPi * thick, usual = shape.wrap * shape.aspect;
+    double own = round / std::max(1.0, std::round(round / shape.wrap)) * shape.aspect;
+    double wanted = std::clamp(own, usual / kMostStretch, usual * kMostStretch);
+    std::fill(factor.begin() + first, factor.begin() + last + 1, static_cast<float>(own / wanted));
+  }
+  for (std::size_t v = 0; v < mesh.node.size(); ++v)
+    mesh.surface.uv[v].y *= factor[static_cast<std::size_t>(mesh.node[v])];
+}
 
 /// How much more light than the darkest the cube gives back that holds a place, in sides.
 Vec3 brightness_at(Vec3 at) {
@@ -38,6 +59,10 @@ class Brancher {
     }
     Result<FusedMesh> mesh = b_.body();
     if (!mesh) return mesh.errors();
+    // Programs and files that tell places apart by fewer digits would find faces without area, and edges of
+    // four faces.
+    if (b_.traits.style.build != Build::voxels)
+      join_short_edges(mesh->surface, mesh->node, shortest_edge(b_.traits.style.voxel));
     return finished(by_color(std::move(mesh->surface), mesh->node));
   }
 
@@ -127,11 +152,15 @@ class Brancher {
     return fitting([&](const Skeleton& posed, float grain, double) {
       if (grain == 0) {
         shape.girth = b_.model.girth;
-        return tube_mesh(b_.rest(), pose_.position, pose_.radius, pose_.turn, shape);
+        TubeMesh whole = tube_mesh(b_.rest(), pose_.position, pose_.radius, pose_.turn, shape);
+        keep_bark_long(whole, b_.rest(), shape);
+        return whole;
       }
       shape.girth = {};
       shape.side = std::max(facet, 4.0 * static_cast<double>(grain));
-      return tube_mesh(posed, posed.position, posed.radius, {}, shape);
+      TubeMesh thin = tube_mesh(posed, posed.position, posed.radius, {}, shape);
+      keep_bark_long(thin, posed, shape);
+      return thin;
     });
   }
 
@@ -140,7 +169,11 @@ class Brancher {
       if (grain == 0) return wrapped(b_.rest(), pose_.position, pose_.radius, pose_.front, options_.sides);
       int sides = std::max(std::min(options_.sides, maker_.level > 0 ? 3 : 5),
                            options_.sides - static_cast<int>(std::ceil(step)));
-      return wrapped(posed, posed.position, posed.radius, 2, sides);
+      std::vector<float> radius = posed.radius;
+      // Tubes of few sides are as wide as they were round, as a mean of all sides.
+      if (maker_.level > 0)
+        for (float& r : radius) r *= static_cast<float>(kPi / sides / std::sin(kPi / sides));
+      return wrapped(posed, posed.position, radius, 2, sides);
     });
   }
 

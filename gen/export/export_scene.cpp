@@ -13,6 +13,7 @@
 #include "export/bodies.h"
 #include "export/branches.h"
 #include "export/carry.h"
+#include "export/crossed.h"
 #include "export/maker.h"
 #include "export/sown.h"
 #include "export/swarm.h"
@@ -57,9 +58,12 @@ class SceneExporter {
 
   Errors add() {
     for (maker_.level = 0; maker_.level < options_.levels; ++maker_.level) {
+      if (maker_.whole_is_crossed()) break;
+      // At coarser levels wood may have what leaves do not take of their share.
+      if (maker_.level > 0) add_organs();
       if (drawn_.branches)
         if (Errors errors = add_branches(); !errors.empty()) return errors;
-      add_organs();
+      if (maker_.level == 0) add_organs();
       add_blades();
       add_bodies();
     }
@@ -69,7 +73,8 @@ class SceneExporter {
 
  private:
   Errors add_branches() {
-    double most = maker_.level == 0 ? kWoodShare * options_.detail : maker_.share() * wood_;
+    double spare = maker_.level == 0 ? 0 : std::max(0.0, maker_.share() * leaves_ - now_leaves_);
+    double most = maker_.level == 0 ? kWoodShare * options_.detail : maker_.share() * wood_ + spare;
     Result<std::vector<BranchPart>> made = branch_parts(maker_, *drawn_.branches, most);
     if (!made) return made.errors();
     std::vector<ExportPart> parts;
@@ -79,7 +84,9 @@ class SceneExporter {
       parts.push_back(std::move(part));
     }
     if (maker_.level == 0) wood_ = triangles_of(parts);
+    maker_.spare = spare;
     stand("branches", std::move(parts));
+    maker_.spare = 0;
     return {};
   }
 
@@ -95,8 +102,12 @@ class SceneExporter {
     // What the branches have left.
     double most = std::max(options_.detail - wood_, (1 - kWoodShare) * options_.detail);
     if (maker_.level > 0) most = maker_.share() * leaves_;
+    FoliageDetail detail{most, options_.texture > 0, !options_.keys.empty()};
+    if (maker_.level > 0) detail.most = most_;
     auto foliage = [&](const Model& model) {
-      return by_name(maker_, b_.look, model, foliage_parts(b_.look, model, most));
+      std::vector<LeafPart> parts = foliage_parts(b_.look, model, detail);
+      if (maker_.level == 0) most_ = most_larger(parts);
+      return by_name(maker_, b_.look, model, std::move(parts));
     };
     std::map<std::string, std::vector<ExportPart>> meshes =
         swarm_.empty() ? foliage(posed) : swarm_parts(maker_, b_.look, posed, swarm_, most);
@@ -106,11 +117,12 @@ class SceneExporter {
         for (std::size_t k = 0; k < parts.size(); ++k)
           parts[k].shifts.push_back(shift_between(parts[k].surface, others[name][k].surface));
     }
-    if (maker_.level == 0) leaves_ = 0;
+    now_leaves_ = 0;
     for (auto& [name, parts] : meshes) {
-      if (maker_.level == 0) leaves_ += triangles_of(parts);
+      now_leaves_ += triangles_of(parts);
       stand(name, std::move(parts));
     }
+    if (maker_.level == 0) leaves_ = now_leaves_;
   }
 
   /// One mesh for each colour of a prototype that is there, placed as often as it occurs.
@@ -169,11 +181,14 @@ class SceneExporter {
     stand("blades", std::move(parts));
   }
 
-  /// Fewer and larger blades, of two triangles each.
+  /// Fewer blades, of two triangles each, none of which is much larger than the first level's.
   void make_fewer(Surface& blades) {
-    Pieces pieces = pieces_of(blades);
     double most = maker_.share() * static_cast<double>(blades.triangle.size());
-    blades = far_leaves(blades, pieces, static_cast<int>(std::ceil(2 * pieces.count / std::max(most, 2.0))));
+    Bounds box = bounds_of(blades.position);
+    std::vector<LeafPart> parts{{0, 0, 0, false, {}}};
+    parts[0].surface = fewer_leaves(blades, most, kLargerLeaves * longest_edge(blades));
+    keep_in_box(parts, box);
+    blades = std::move(parts[0].surface);
   }
 
   Maker& maker_;
@@ -184,7 +199,9 @@ class SceneExporter {
   const Pose& pose_;
   std::vector<Pose> keys_;  // none of a swarm
   std::vector<Model> swarm_;
-  double wood_ = 0, leaves_ = 0;  // triangles at the first level
+  double wood_ = 0, leaves_ = 0;            // triangles at the first level
+  double now_leaves_ = 0;                   // and of leaves at this one
+  std::map<std::size_t, LeafSize> most_{};  // that leaves of coarser levels may be large
 };
 
 /// What a swarm is at the keys but the last.
@@ -220,7 +237,9 @@ double detail_seen(double pixels) {
 
 Result<ExportScene> export_scene(const Scene& scene, double time, const ExportOptions& options) {
   ExportScene exported;
-  Maker maker{exported, options};
+  ExportOptions own = options;
+  if (!own.keys.empty() || own.instances) own.levels = 1;  // only one mesh moves, or is placed many times
+  Maker maker{exported, own};
   for (const Specimen& b : scene.specimens) {
     std::size_t before = exported.placements.size();
     auto now = developed(b, time);
@@ -236,11 +255,13 @@ Result<ExportScene> export_scene(const Scene& scene, double time, const ExportOp
       exported.absent.push_back(name);
   }
   if (Errors errors = add_sown(maker, scene, time); !errors.empty()) return errors;
-  if (exported.placements.empty())
+  // Of what has not begun to grow an empty file is written, so that a series of frames has one for each.
+  if (exported.placements.empty() && exported.absent.empty())
     return Error{"", "nothing grows or stands at that frame: there is nothing to write"};
   if (!options.keys.empty() && std::ranges::none_of(exported.meshes, &ExportMesh::moves))
     return Error{"", "nothing moves from the first of those frames to the last"};
   if (Errors errors = maker.palette.draw(); !errors.empty()) return errors;
+  if (Errors errors = add_crossed_levels(maker); !errors.empty()) return errors;
   for (double time_of : options.keys) exported.keys.push_back(time_of - options.keys[0]);
   return exported;
 }

@@ -54,8 +54,17 @@ struct ExportPart {
 struct ExportMesh {
   std::string name;  ///< as that of a material
   std::vector<ExportPart> parts;
-  std::vector<std::vector<ExportPart>> coarser = {};  ///< the same in fewer triangles, level by level
+  /// The same in fewer triangles, level by level from 1 on; empty where nothing of it is left or another mesh
+  /// of the organism shows it.
+  std::vector<std::vector<ExportPart>> coarser = {};
 
+  bool has_level(std::size_t level) const {
+    return level == 0 || (level <= coarser.size() && !coarser[level - 1].empty());
+  }
+  void set_level(std::size_t level, std::vector<ExportPart> level_parts) {
+    if (coarser.size() < level) coarser.resize(level);
+    coarser[level - 1] = std::move(level_parts);
+  }
   bool moves() const { return !parts.empty() && !parts[0].shifts.empty(); }
 };
 
@@ -96,7 +105,8 @@ struct ExportOptions {
   int texture = 512;       ///< pixels, the width of a picture
   bool instances = false;  ///< each organ and body once, and its placements; otherwise all in one mesh
   double pixels = 0;       ///< where not 0, how high an organism is seen: what would be finer is left out
-  int levels = 1;          ///< of detail: each mesh also in kCoarser of its triangles, and so on
+  int levels = 1;          ///< of detail: each mesh also in kCoarser of its triangles, and so on; not with
+                           ///< keys or instances
   std::vector<double> keys = {};  ///< seconds, rising: the times whose shapes are wanted
   BakeOptions bake = {};          ///< how materials become pictures
   bool tints = true;              ///< young skin is paler, by colours at the vertices
@@ -116,12 +126,16 @@ struct ExportSize {
 
 ExportSize size_of(const ExportScene& exported);
 
+/// Triangles of all placements at each level of detail. Where a mesh has no such level it counts as nothing.
+std::vector<double> level_triangles(const ExportScene& exported);
+
 /// About how large what is exported of a scene will be, by its fully grown organisms; what is sown not
 /// counted.
 ExportSize estimate_export(const Scene& scene, const ExportOptions& options);
 
 /// Makes the meshes of a scene at a time, in seconds. Specimen are tubes, or what their style makes of them;
-/// ground, stones and grass are left out. An error where nothing is left. With keys, the last of
+/// ground, stones and grass are left out. An error where nothing will ever be left; where nothing has grown
+/// yet there are no placements. With keys, the last of
 /// which is that time, vertices are also carried to where they are at the others: an error where
 /// something changes otherwise than by growing and swaying, or nothing moves.
 Result<ExportScene> export_scene(const Scene& scene, double time, const ExportOptions& options);

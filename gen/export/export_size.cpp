@@ -57,6 +57,18 @@ ExportSize size_of(const ExportScene& exported) {
   return size;
 }
 
+std::vector<double> level_triangles(const ExportScene& exported) {
+  std::vector<double> triangles(1, 0);
+  for (const ExportPlacement& p : exported.placements) {
+    const ExportMesh& mesh = exported.meshes[p.mesh];
+    triangles.resize(std::max(triangles.size(), mesh.coarser.size() + 1), 0);
+    for (std::size_t level = 0; level <= mesh.coarser.size(); ++level)
+      for (const ExportPart& part : level == 0 ? mesh.parts : mesh.coarser[level - 1])
+        triangles[level] += static_cast<double>(part.surface.triangle.size());
+  }
+  return triangles;
+}
+
 namespace {
 
 constexpr double kPixelBytes = 3.5;    // of three pictures, for one pixel of the colours

@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
+#include "core/content.h"
 #include "core/figures.h"
 #include "core/files.h"
 #include "core/machine.h"
+#include "core/printable.h"
 
 namespace frond {
 
@@ -18,13 +21,21 @@ constexpr double kAny = std::numeric_limits<double>::infinity();
 constexpr double kPlyVertex = 35;
 constexpr double kMostIndices = 2147483647;  // whole numbers of a PLY
 
+/// What the files beside an OBJ are called by: it stands in lines that programs split at blanks, and that
+/// they read in letters of their own. Of an odd name so much as is plain, with what tells it from others.
+std::string plain_stem(const fs::path& path) {
+  std::string stem = path.stem().string(), plain = stem;
+  std::ranges::replace_if(
+      plain, [](char c) { return !is_plain(c); }, '_');
+  return plain == stem ? stem : plain + '_' + content_id(stem).substr(0, 6);
+}
+
 /// The large file first: where the disk is full the small ones would be left alone.
 Result<bool> write_obj(const ExportScene& exported, const ExportOptions&, const fs::path& path) {
-  fs::path materials = path;
-  materials.replace_extension(".mtl");
+  fs::path materials = path.parent_path() / (plain_stem(path) + ".mtl");
   // Pictures are called as the file is, so that two exports in one folder do not take each other's.
   ExportScene named = exported;
-  for (ExportPicture& picture : named.pictures) picture.name = path.stem().string() + '_' + picture.name;
+  for (ExportPicture& picture : named.pictures) picture.name = plain_stem(path) + '_' + picture.name;
   std::vector<fs::path> there;
   auto write = [&](const fs::path& to, const std::string& text) {
     Result<bool> written = write_file(to, text);
@@ -97,7 +108,7 @@ Result<const Format*> format_of(const fs::path& path) {
 
 Result<std::vector<std::string>> write_scene(const Format& format, const Scene& scene, double time,
                                              const ExportOptions& options, const fs::path& path,
-                                             const std::function<void(double)>& tell) {
+                                             const std::function<void(const ExportTold&)>& tell) {
   if (!format.write) {
     Result<Volume> volume = export_volume(scene, time, options);
     if (!volume) return volume.errors();
@@ -114,7 +125,7 @@ Result<std::vector<std::string>> write_scene(const Format& format, const Scene& 
   Result<ExportScene> exported = export_scene(scene, time, own);
   if (!exported) return exported.errors();
   double bytes = format.bytes(size_of(*exported));
-  tell(bytes);
+  tell({bytes, level_triangles(*exported)});
   if (Errors errors = refuse_bytes(format, bytes); !errors.empty()) return errors;
   Result<bool> written = format.write(*exported, own, path);
   if (!written) return written.errors();

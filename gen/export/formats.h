@@ -33,13 +33,22 @@ std::span<const Format> formats();
 /// export/include.h.
 Result<const Format*> format_of(const std::filesystem::path& path);
 
-/// Writes a scene as it is at a time, seconds. `tell` is told about how many bytes it will take as soon as
-/// that is known; more than the format or this machine's memory holds is refused, and so is a scene of which
-/// nothing would be written. Errors of the disk stand at a path, those of what was asked for at none. Gives
-/// the names of organisms of which nothing has grown by then.
+/// What a file will hold.
+struct ExportTold {
+  double bytes = 0;               ///< about
+  std::vector<double> triangles;  ///< at each level of detail, as they are placed
+};
+
+/// Writes a scene as it is at a time, seconds. `tell` is told what it will take as soon as that is known;
+/// more than the format or this machine's memory holds is refused, and so is a scene of which nothing would
+/// be written. Errors of the disk stand at a path, those of what was asked for at none. Gives the names of
+/// organisms of which nothing has grown by then.
 Result<std::vector<std::string>> write_scene(const Format& format, const Scene& scene, double time,
                                              const ExportOptions& options, const std::filesystem::path& path,
-                                             const std::function<void(double)>& tell);
+                                             const std::function<void(const ExportTold&)>& tell);
+
+/// How an error begins that is about a frame in which nothing has grown yet, of formats that cannot be empty.
+inline constexpr std::string_view kNothingYet = "nothing has grown yet at ";
 
 // The texts of the formats, pure functions of the scene.
 

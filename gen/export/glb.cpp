@@ -161,7 +161,7 @@ std::string material_text(const ExportMaterial& m) {
   text += '}';
   if (m.normals != kNoPicture) text += fmt::format(",\"normalTexture\":{{\"index\":{}}}", m.normals);
   if (m.leaf) text += ",\"doubleSided\":true";
-  if (m.cutout) text += ",\"alphaMode\":\"MASK\",\"alphaCutoff\":0.5";
+  if (m.cutout && picture) text += ",\"alphaMode\":\"MASK\",\"alphaCutoff\":0.5";
   if (m.transmission > 0)
     text += fmt::format(R"(,"extensions":{{"{}":{{"transmissionFactor":{}}},"{}":{{"ior":1.5}}}})",
                         kTransmission, m.transmission, kIor);
@@ -185,7 +185,11 @@ class GlbNodes {
       : scene_(exported), instances_(instances), buffer_(buffer) {
     // Coarser meshes come after all others.
     std::size_t next = exported.meshes.size();
-    for (const ExportMesh& mesh : exported.meshes) first_level_.push_back(next), next += mesh.coarser.size();
+    for (std::size_t m = 0; m < exported.meshes.size(); ++m) {
+      std::vector<std::size_t>& levels = index_.emplace_back(1, m);
+      for (std::size_t level = 1; level <= exported.meshes[m].coarser.size(); ++level)
+        levels.push_back(exported.meshes[m].has_level(level) ? next++ : 0);
+    }
     for (std::size_t i = 0; i < exported.placements.size();) {
       std::size_t from = i, group = exported.placements[i].group;
       while (i < exported.placements.size() && exported.placements[i].group == group) ++i;
@@ -221,7 +225,8 @@ class GlbNodes {
         std::size_t coarser = group.sown || alone ? scene_.meshes[mesh].coarser.size() : 0;
         std::vector<std::size_t> levels;
         for (std::size_t level = 1; level <= coarser; ++level)
-          levels.push_back(add(placed_text(alike[k], from, number, level)));
+          if (scene_.meshes[mesh].has_level(level))
+            levels.push_back(add(placed_text(alike[k], from, number, level)));
         nodes.push_back(add(placed_text(alike[k], from, number, 0) + levels_text(levels)));
         if (scene_.meshes[mesh].moves()) moving.push_back(nodes.back());
       }
@@ -242,7 +247,7 @@ class GlbNodes {
     for (std::size_t level = 1; !group.sown; ++level) {
       std::vector<std::size_t> parts;
       for (const ExportPlacement& p : placements)
-        if (scene_.meshes[p.mesh].coarser.size() >= level)
+        if (scene_.meshes[p.mesh].has_level(level))
           parts.push_back(add(placed_text(p, group.foot, "", level)));
       if (parts.empty()) break;
       levels.push_back(add(text_of(level, parts)));
@@ -255,7 +260,7 @@ class GlbNodes {
   std::string placed_text(const ExportPlacement& p, Vec3 from, const std::string& number, std::size_t level) {
     std::string node;
     append_name(node, scene_.meshes[p.mesh].name + number + level_name(level));
-    node += fmt::format(",\"mesh\":{}", level == 0 ? p.mesh : first_level_[p.mesh] + level - 1);
+    node += fmt::format(",\"mesh\":{}", index_[p.mesh][level]);
     append_place(node, p, from);
     return node;
   }
@@ -300,7 +305,7 @@ class GlbNodes {
   const ExportScene& scene_;
   bool instances_;
   BinaryPart& buffer_;
-  std::vector<std::size_t> first_level_;  // of each mesh: its first coarser one
+  std::vector<std::vector<std::size_t>> index_;  // of each mesh at each of its levels
   std::size_t count_ = 0;
 };
 
@@ -328,10 +333,29 @@ void append_word(std::string& bytes, std::size_t value) {
   bytes.append(raw, 4);
 }
 
+/// The file of both parts.
+Result<std::string> container(std::string json, const std::string& binary) {
+  // Chunks end on multiples of four, JSON with blanks.
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  std::size_t total = 12 + 8 + json.size() + (binary.empty() ? 0 : 8 + binary.size());
+  if (total > 4294967295u)
+    return Error{"", fmt::format("would take {}; a .glb file holds 4.29 GB at most",
+                                 bytes_text(static_cast<double>(total)))};
+  std::string bytes = "glTF";
+  bytes.reserve(total);
+  for (std::size_t word : {std::size_t{2}, total, json.size()}) append_word(bytes, word);
+  bytes += "JSON" + json;
+  if (binary.empty()) return bytes;
+  append_word(bytes, binary.size());
+  bytes.append("BIN\0", 4);
+  return bytes + binary;
+}
+
 }  // namespace
 
 Result<std::string> glb_bytes(const ExportScene& exported, bool instances) {
-  if (exported.placements.empty()) return Error{"", "there is nothing at that frame to write"};
+  std::string json = R"({"asset":{"version":"2.0","generator":"Frond"})";
+  if (exported.placements.empty()) return container(json + R"(,"scene":0,"scenes":[{}]})", "");
   BinaryPart buffer;
   GlbNodes nodes(exported, instances, buffer);
   std::string meshes = list(exported.meshes, [&](const ExportMesh& mesh) {
@@ -339,11 +363,11 @@ Result<std::string> glb_bytes(const ExportScene& exported, bool instances) {
   });
   meshes.pop_back();
   for (const ExportMesh& mesh : exported.meshes)
-    for (std::size_t level = 0; level < mesh.coarser.size(); ++level)
-      meshes +=
-          ',' + mesh_text(buffer, fmt::format("{}_LOD{}", mesh.name, level + 1), mesh.coarser[level], {});
+    for (std::size_t level = 1; level <= mesh.coarser.size(); ++level)
+      if (mesh.has_level(level))
+        meshes +=
+            ',' + mesh_text(buffer, fmt::format("{}_LOD{}", mesh.name, level), mesh.coarser[level - 1], {});
   meshes += ']';
-  std::string json = R"({"asset":{"version":"2.0","generator":"Frond"})";
   std::vector<std::string_view> extensions;
   if (nodes.instanced)
     extensions.push_back(kInstancing), json += fmt::format(R"(,"extensionsRequired":["{}"])", kInstancing);
@@ -370,22 +394,7 @@ Result<std::string> glb_bytes(const ExportScene& exported, bool instances) {
   }
   json += ",\"accessors\":[" + buffer.accessors + "],\"bufferViews\":[" + buffer.views + "]";
   json += fmt::format(R"(,"buffers":[{{"byteLength":{}}}]}})", buffer.bytes.size());
-  // Chunks end on multiples of four, JSON with blanks.
-  json.resize((json.size() + 3) / 4 * 4, ' ');
-  std::size_t total = 12 + 8 + json.size() + 8 + buffer.bytes.size();
-  if (total > 4294967295u)
-    return Error{"", fmt::format("would take {}; a .glb file holds 4.29 GB at most",
-                                 bytes_text(static_cast<double>(total)))};
-  std::string bytes = "glTF";
-  bytes.reserve(total);
-  append_word(bytes, 2);
-  append_word(bytes, total);
-  append_word(bytes, json.size());
-  bytes += "JSON";
-  bytes += json;
-  append_word(bytes, buffer.bytes.size());
-  bytes.append("BIN\0", 4);
-  return bytes + buffer.bytes;
+  return container(std::move(json), buffer.bytes);
 }
 
 }  // namespace frond

@@ -14,6 +14,7 @@
 #include "emit/copy_models.h"
 #include "emit/setting.h"
 #include "emit/solid.h"
+#include "export/formats.h"
 #include "export/macros.h"
 #include "scene/copies.h"
 #include "settings/settings.h"
@@ -101,15 +102,17 @@ class Writer {
     if (solids_ > 0) objects.insert(0, fmt::format("{}_Solids_{}()\n", what_.name, v));
     bool last = f + 1 == what_.frames.size();
     if (count == 0 && last)
-      return {
-          Error{"", fmt::format("nothing is there at frame {}; expected another --frame", what_.frames[f])}};
+      return {Error{"", fmt::format("{}frame {}; expected another --frame", kNothingYet, what_.frames[f])}};
     if (count == 0) objects = "sphere{0,1e-6 no_image no_shadow no_reflection}\n", count = 1;
     shapes_ += fmt::format("#macro {}_Make_{}_{}_{}()\n", what_.name, v, detail, f);
     shapes_ += fmt::format("{}_Parts_{}()\n", what_.name, v);
     shapes_ += fmt::format("#local Frond_Unit = {};\n", number_text(parts.space.unit)) + models;
     shapes_ += fmt::format("#declare {}_Shapes[{}][{}][{}] = {}{{\n", what_.name, v, detail, f,
                            count > 1 ? "union" : "object");
-    shapes_ += objects + fmt::format("scale 1/{}}}\n#end\n", number_text(parts.space.unit));
+    // The matrix changes nothing, but has POV-Ray keep a transformation of each shape. Without one `scale -1`
+    // in a scene would make radii negative, which are not seen.
+    shapes_ += objects + fmt::format("matrix<1,0,0,0,1,0,0,0,1,0,0,0> scale 1/{}}}\n#end\n",
+                                     number_text(parts.space.unit));
     return {};
   }
 
@@ -190,10 +193,22 @@ class Writer {
         "hundreds\n",
         name, variants_.size() - 1);
     if (what_.frames.size() > 1)
-      text += fmt::format("// {}_At(Seed, Time)   as it is at that time, seconds from {} to {}\n", name,
-                          number_text(time_of(0)), number_text(time_of(what_.frames.size() - 1)));
+      text += fmt::format(
+          "// {0}_At(Seed, Time)   as it is at that time, seconds from {1} to {2}: in the nearest of {3} "
+          "frames,\n"
+          "//                       before and after these in the first and the last. More frames a second "
+          "are\n"
+          "//                       smoother: --set /film/fps=60\n"
+          "// {0}_Loop(Seed, Time) the same, beginning anew after the last: for +KC in a film of its "
+          "length\n",
+          name, number_text(time_of(0)), number_text(time_of(what_.frames.size() - 1)), what_.frames.size());
     text += fmt::format(
         "// {0}_Height, {0}_Low, {0}_High   of the largest, in units of the scene\n//\n"
+        "// For a scene in other units declare Frond_Unit: what is scaled to less than a unit high loses "
+        "its\n"
+        "// shadows, which POV-Ray begins a thousandth of a unit away. To cut it use clipped_by: leaves have "
+        "no\n"
+        "// inside, of which an intersection warns.\n//\n"
         "// Before the include a scene may declare\n"
         "//   Frond_Unit      units a metre (1)\n"
         "//   Frond_Ambient   light from all around (0.25), for a scene without radiosity\n"
@@ -240,6 +255,13 @@ class Writer {
           "  {0}_Shape(mod(abs(int(Seed)), {1}), 0, max(0, min({2}, int((Time - {3})*{4} + 0.5))))\n"
           "#end\n",
           name, variants_.size(), last, number_text(time_of(0)), number_text(variants_[0].scene.film.fps));
+    if (frames > 1)
+      text += fmt::format(
+          "#macro {0}_Loop(Seed, Time)\n"
+          "  #local Frond_Frame = mod(int((Time - {3})*{4} + 0.5 + 1e-6) + {2}*1000, {2});\n"
+          "  {0}_Shape(mod(abs(int(Seed)), {1}), 0, Frond_Frame)\n"
+          "#end\n",
+          name, variants_.size(), frames, number_text(time_of(0)), number_text(variants_[0].scene.film.fps));
     auto corner = [](Vec3 p) {
       std::string at;
       append_point(at, PovSpace{1}, p);

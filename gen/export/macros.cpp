@@ -61,6 +61,41 @@ Owners owners_of(const MacroFiles& files) {
   return owners;
 }
 
+/// A text without comments to the ends of its lines.
+std::string uncommented(std::string_view text) {
+  std::string plain;
+  for (std::string_view line : lines_of(text)) {
+    line = line.substr(0, line.find("//"));
+    line = line.substr(0, line.find_last_not_of(" \n") + 1);
+    if (line.empty()) continue;
+    plain += line;
+    plain += '\n';
+  }
+  return plain;
+}
+
+/// Files cut before each declaration at the left edge.
+std::vector<std::string> pieces_of(const MacroFiles& files) {
+  std::vector<std::string> pieces;
+  for (const auto& [name, content] : files) {
+    pieces.emplace_back();
+    const std::string plain = uncommented(content);
+    for (std::string_view line : lines_of(plain)) {
+      if (!declared(line).empty()) pieces.emplace_back();
+      pieces.back() += line;
+    }
+  }
+  return pieces;
+}
+
+/// The names that a piece declares anywhere.
+std::set<std::string_view> declared_in(std::string_view piece) {
+  std::set<std::string_view> names;
+  for (std::size_t at = piece.find('#'); at != piece.npos; at = piece.find('#', at + 1))
+    if (std::string_view name = declared(piece.substr(at)); !name.empty()) names.insert(name);
+  return names;
+}
+
 /// How many blocks a line opens, less those that it closes.
 int opened(std::string_view line) {
   line = line.substr(0, line.find("//"));
@@ -102,6 +137,30 @@ std::set<std::string> macros_called(const MacroFiles& files, std::string_view te
     if (auto found = signatures.find(word); found != signatures.end()) called.emplace(found->second);
   });
   return called;
+}
+
+std::string macros_reached(const MacroFiles& files, std::string_view text) {
+  std::vector<std::string> pieces = pieces_of(files);
+  std::map<std::string_view, std::vector<std::size_t>, std::less<>> owners;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (std::string_view name : declared_in(pieces[i])) owners[name].push_back(i);
+  std::vector<bool> reached(pieces.size(), false);
+  std::function<void(std::string_view)> take = [&](std::string_view from) {
+    each_word(from, [&](std::string_view word) {
+      auto owner = owners.find(word);
+      if (owner == owners.end()) return;
+      for (std::size_t i : owner->second) {
+        if (reached[i]) continue;
+        reached[i] = true;
+        take(pieces[i]);
+      }
+    });
+  };
+  take(text);
+  std::string all;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (reached[i]) all += pieces[i];
+  return all;
 }
 
 std::string macros_text(const MacroFiles& files, const std::vector<std::size_t>& used) {

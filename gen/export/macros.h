@@ -17,6 +17,10 @@ std::vector<std::size_t> macros_used(const MacroFiles& files, std::string_view t
 /// The macros of those files that a text calls by itself, as `Plant_Leaf(Color, Second, Shade)`.
 std::set<std::string> macros_called(const MacroFiles& files, std::string_view text);
 
+/// The pieces of those files that a text reaches by the names in it, and those that these reach, without
+/// their comments: all of the files that can change what the text shows.
+std::string macros_reached(const MacroFiles& files, std::string_view text);
+
 /// Those files as one text that needs no other: each macro gives way to one of that name which is there
 /// already.
 std::string macros_text(const MacroFiles& files, const std::vector<std::size_t>& used);

@@ -16,7 +16,9 @@ namespace frond {
 
 namespace {
 
-constexpr double kNear = 0.85;  // a share that is no less is as good as all
+constexpr double kNear = 0.85;    // a share that is no less is as good as all
+constexpr double kFarMore = 1.8;  // times their share, that leaves may take
+constexpr int kBoughTriangles = 6, kBoughPictures = 3;
 
 /// About so large a share of a part's triangles.
 void make_coarser(ExportPart& part, double share) {
@@ -55,6 +57,27 @@ ExportTint tint_of(Vec3 light) {
   return {part(light.x), part(light.y), part(light.z), 255};
 }
 
+int bough_pixels(const ExportOptions& options) { return std::clamp(options.texture / 8, 16, 64); }
+
+int most_boughs(const ExportOptions& options) {
+  int across = std::max(2, 2 * options.texture / bough_pixels(options));
+  return std::max(2, across * across / kBoughPictures);
+}
+
+bool Maker::whole_is_crossed() {
+  if (options.texture == 0 || level < 2 || level + 1 < options.levels) return false;
+  auto leafy = [&](std::size_t mesh) {
+    return std::ranges::any_of(exported.meshes[mesh].parts, [&](const ExportPart& part) {
+      return exported.materials[part.material].leaf;
+    });
+  };
+  CrossedLevel whole{{}, static_cast<std::size_t>(level), 0};
+  for (const auto& [name, mesh] : begun) whole.meshes.push_back(mesh);
+  if (std::ranges::none_of(whole.meshes, leafy)) return false;
+  crossed.push_back(std::move(whole));
+  return true;
+}
+
 std::optional<std::size_t> Maker::mesh(const std::string& part, std::vector<ExportPart> parts) {
   std::erase_if(parts, [](const ExportPart& p) { return p.surface.triangle.empty(); });
   if (parts.empty()) return {};
@@ -66,11 +89,20 @@ std::optional<std::size_t> Maker::mesh(const std::string& part, std::vector<Expo
   auto of = begun.find(part);
   if (of == begun.end()) return {};
   ExportMesh& mesh = exported.meshes[of->second];
-  double factor =
-      share() * solid_triangles(exported, mesh.parts) / std::max(1.0, solid_triangles(exported, parts));
+  double factor = (share() * solid_triangles(exported, mesh.parts) + spare) /
+                  std::max(1.0, solid_triangles(exported, parts));
   for (ExportPart& p : parts)
     if (factor < kNear && !exported.materials[p.material].leaf) make_coarser(p, factor);
-  mesh.coarser.push_back(std::move(parts));
+  double wanted = share() * triangles_of(mesh.parts);
+  if (options.texture > 0 && solid_triangles(exported, parts) == 0 &&
+      triangles_of(parts) > kFarMore * wanted) {
+    int boughs = static_cast<int>(std::min(wanted / kBoughTriangles, 1e6));
+    crossed.push_back({{of->second},
+                       static_cast<std::size_t>(level),
+                       std::clamp(boughs, 2, std::max(2, most_boughs(options)))});
+    return {};
+  }
+  mesh.set_level(static_cast<std::size_t>(level), std::move(parts));
   return {};
 }
 

@@ -10,6 +10,17 @@
 
 namespace frond {
 
+/// A level of detail that is drawn as pictures which cross, when the materials of what they show have theirs.
+struct CrossedLevel {
+  std::vector<std::size_t> meshes;  ///< what they show; they become a level of the first
+  std::size_t level = 1;
+  int boughs = 0;  ///< into how many the leaves of the first are parted; 0: one set of the whole
+};
+
+/// The width of a bough's picture, and how many boughs have room on a sheet.
+int bough_pixels(const ExportOptions& options);
+int most_boughs(const ExportOptions& options);
+
 /// Puts an exported scene together.
 struct Maker {
   ExportScene& exported;
@@ -18,6 +29,8 @@ struct Maker {
   Names group_names{}, mesh_names{};
   int level = 0;                               ///< of detail, that what is added next is
   std::map<std::string, std::size_t> begun{};  ///< the meshes of this organism, by what was asked for
+  std::vector<CrossedLevel> crossed{};
+  double spare = 0;  ///< triangles that wood and bodies may have above their share
 
   /// Begins an organism, which what is added next belongs to.
   void begin(const std::string& name, Vec3 foot, bool sown = false) {
@@ -29,9 +42,13 @@ struct Maker {
   const std::string& name() const { return exported.groups.back().name; }
   Vec3 foot() const { return exported.groups.back().foot; }
 
+  /// Whether this level is one set of pictures of the whole plant: the last of three or more, of what has
+  /// leaves and where there are pictures. Notes it.
+  bool whole_is_crossed();
+
   /// Adds a mesh without a placement; nothing where its parts are empty. At a coarser level it is added to
   /// the mesh of that name, its wood and bodies in no more triangles than their share, and nothing is to be
-  /// placed.
+  /// placed. Leaves that take far more than their share become pictures of boughs.
   std::optional<std::size_t> mesh(const std::string& part, std::vector<ExportPart> parts);
   void place(std::size_t mesh, Vec3 at, Quat turn, Vec3 scale) {
     exported.placements.push_back({mesh, at, turn, scale, exported.groups.size() - 1});

@@ -133,6 +133,19 @@ Palette::Use Palette::keep_swatch(Swatch swatch, ExportMaterial made, const std:
   return keep(key, std::move(made), name, key, draw, wide, high);
 }
 
+std::size_t Palette::shown(ExportMaterial made, const std::string& name, BakedPictures pictures) {
+  made.name = names_.unique(name);
+  if (pictures.mean) made.color = *pictures.mean;
+  auto add = [&](std::string& bytes, const char* word) {
+    if (bytes.empty()) return kNoPicture;
+    scene_.pictures.push_back({made.name + word, std::move(bytes)});
+    return scene_.pictures.size() - 1;
+  };
+  made.colors = add(pictures.colors, "_color"), made.normals = add(pictures.normals, "_normal");
+  scene_.materials.push_back(std::move(made));
+  return scene_.materials.size() - 1;
+}
+
 Errors Palette::draw() {
   std::vector<Result<BakedPictures>> made(drawn_.size(), BakedPictures{});
   parallel_for(drawn_.size(), [&](std::size_t i) { made[i] = drawn_[i].draw(); });
@@ -220,7 +233,8 @@ std::size_t Palette::organ(const Look& look, const Prototype& organ, std::size_t
   Tissue tissue = organ.parts[part].tissue;
   ExportMaterial made;
   made.color = tissue == Tissue::heart ? organ.second : organ.colors[color];
-  made.gloss = tissue == Tissue::fruit ? 0.6 : 0.2, made.leaf = is_leaf(tissue), made.cutout = card;
+  made.gloss = tissue == Tissue::fruit ? 0.6 : 0.2, made.leaf = is_leaf(tissue);
+  made.cutout = card && options_.texture > 0;
   if (const auto& shown = organ.parts[part].pictures; laid && color < shown.size()) {
     if (!look.leaves)
       return keep(shown[color], made, name, shown[color],

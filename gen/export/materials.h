@@ -76,6 +76,9 @@ class Palette {
   /// Of a body of this material, on its own `uv` where it is a `vessel` or wears a picture of the look's.
   Use body(const Look& look, const Material& material, const Solid* vessel, const std::string& name);
 
+  /// A material that shows pictures which are there.
+  std::size_t shown(ExportMaterial made, const std::string& name, BakedPictures pictures);
+
   /// Draws the pictures of all materials.
   Errors draw();
 

@@ -107,7 +107,7 @@ std::string mtl_text(const ExportScene& exported) {
     if (m.transmission > 0) text += "\nd ", append(text, 1 - m.transmission, 2), text += "\nNi 1.5";
     text += "\nillum 2\n";
     if (m.colors != kNoPicture) text += "map_Kd " + file(m.colors);
-    if (m.cutout) text += "map_d -imfchan m " + file(m.colors);
+    if (m.cutout && m.colors != kNoPicture) text += "map_d -imfchan m " + file(m.colors);
     if (m.normals != kNoPicture) text += "norm " + file(m.normals);
     if (m.roughness != kNoPicture) text += "map_Pr -imfchan g " + file(m.roughness);
   }

@@ -77,13 +77,13 @@ struct SownShape {
   std::vector<LeafPart> foliage;
 };
 
-/// With so many grains along it, and so many triangles of leaves.
-SownShape shape_of(const Look& look, Model model, double grains, double leaves) {
+/// With so many grains along it.
+SownShape shape_of(const Look& look, Model model, double grains, const FoliageDetail& detail) {
   SownShape made;
   double grain = size_of(model) / grains;
-  made.foliage = foliage_parts(look, model, leaves);
+  made.foliage = foliage_parts(look, model, detail);
   model.organs = {};
-  made.parts = copy_parts(look, model, {grain, leaves});
+  made.parts = copy_parts(look, model, {grain, detail.triangles});
   made.model.prototypes = std::move(model.prototypes);
   made.model.solids = std::move(model.solids);
   return made;
@@ -92,14 +92,18 @@ SownShape shape_of(const Look& look, Model model, double grains, double leaves) 
 /// At each level of detail.
 std::vector<SownShape> shapes_of(const Look& look, const Model& model, const ExportOptions& options) {
   bool seen = options.pixels > 0;
-  double grains = seen ? options.pixels : kGrains, leaves = options.detail * (seen ? 1 : kLeafShare);
+  double grains = seen ? options.pixels : kGrains;
+  FoliageDetail detail{options.detail * (seen ? 1 : kLeafShare), options.texture > 0};
   std::vector<SownShape> levels;
   for (int level = 0; level < options.levels; ++level) {
-    levels.push_back(shape_of(look, model, grains * std::pow(kCoarser, 0.5 * level), leaves));
-    if (level == 0) leaves = 0;
-    for (const LeafPart& part : levels[0].foliage)
-      if (level == 0) leaves += static_cast<double>(part.surface.triangle.size());
-    leaves *= kCoarser;
+    levels.push_back(shape_of(look, model, grains * std::pow(kCoarser, 0.5 * level), detail));
+    if (level == 0) {
+      detail.most = most_larger(levels[0].foliage);
+      detail.triangles = 0;
+      for (const LeafPart& part : levels[0].foliage)
+        detail.triangles += static_cast<double>(part.surface.triangle.size());
+    }
+    detail.triangles *= kCoarser;
   }
   return levels;
 }
@@ -137,7 +141,9 @@ Errors add_sown(Maker& maker, const Scene& scene, double time) {
     if (m == 0 || &stand != models[m - 1].stand)
       maker.begin(plain_name(stand.organism.name, "organism"), Vec3(0), true);
     std::optional<std::size_t> mesh;
+    maker.begun.clear();
     for (SownShape& shape : (*shapes)[m]) {
+      if (maker.whole_is_crossed()) break;
       auto made = maker.mesh(std::to_string(models[m].which), parts_of(maker, stand.dress.look, shape));
       if (maker.level++ == 0) mesh = made;
     }

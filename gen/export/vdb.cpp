@@ -82,7 +82,9 @@ Result<Volume> export_volume(const Scene& scene, double time, const ExportOption
     for (const ExportPlacement& copy : model.copies)
       for (const Vec3& p : model.rest.position) all.box.take(at_copy(copy, p));
   if (all.boughs.cones.empty() && sown->empty())
-    return Error{"", "there are no branches at that frame to make a volume of"};
+    return scene.specimens.empty() ? Error{"", "there are no branches to make a volume of"}
+                                   : Error{"", std::string(kNothingYet) +
+                                                   "that frame: there are no branches to make a volume of"};
   if (all.options.limit <= 0) all.options.limit = kLeastLimit;
   if (all.options.voxel <= 0) all.options.voxel = all.box.longest() / kVoxels;
   if (Errors errors = add_copies(all, *sown); !errors.empty()) return errors;

@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "core/curve.h"
+#include "core/spline.h"
 
 namespace frond {
 
@@ -38,9 +39,9 @@ Skeleton smooth(const Skeleton& coarse, int pieces) {
     Vec3 from = coarse.position[p], to = coarse.position[i];
     std::int32_t next = next_in_chain(coarse, i);
     Vec3 leave = continues(coarse, static_cast<std::int32_t>(i))
-                     ? (to - coarse.position[coarse.parent[p]]) * 0.5f
+                     ? spline_slopes(coarse.position[coarse.parent[p]], from, to).out
                      : to - from;
-    Vec3 arrive = next == Skeleton::kRoot ? to - from : (coarse.position[next] - from) * 0.5f;
+    Vec3 arrive = next == Skeleton::kRoot ? to - from : spline_slopes(from, to, coarse.position[next]).in;
     std::int32_t below = index[p];
     for (int k = 1; k <= pieces; ++k) {
       float t = static_cast<float>(k) / static_cast<float>(pieces);

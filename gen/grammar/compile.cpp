@@ -6,6 +6,7 @@
 #include "grammar/lparser_rules.h"
 #include "grammar/read.h"
 #include "grammar/review.h"
+#include "grammar/rewrite.h"
 
 namespace frond {
 
@@ -35,15 +36,15 @@ class Compiler {
     grammar_.open = modules_.id("[", 0, none);
     grammar_.close = modules_.id("]", 0, none);
     check_numbers();
+    std::size_t others = errors_.size();
+    if (find_odd_signs(grammar_.text, errors_); errors_.size() > others) return errors_;
     read_constants();
     read_axiom();
     read_rules(grammar_.text.rules, grammar_.rules, "rule");
     read_rules(grammar_.text.decomposition, grammar_.decomposition, "decomposition rule");
     read_rules(grammar_.text.interpretation, grammar_.interpretation, "interpretation rule");
-    for (const RuleSet* set : {&grammar_.rules, &grammar_.decomposition, &grammar_.interpretation})
-      find_shadowed(*set, errors_);
     keep_drawn_brackets();
-    check_interpretation();
+    find_swelling(grammar_, errors_);
     read_visibility();
     read_guide();
     if (errors_.empty()) errors_ = find_endless(grammar_);
@@ -51,6 +52,8 @@ class Compiler {
     grammar_.making.resize(grammar_.symbols.size());
     summarize();
     grammar_.warnings = find_idle(grammar_);
+    for (const RuleSet* set : {&grammar_.rules, &grammar_.decomposition, &grammar_.interpretation})
+      find_shadowed(*set, grammar_.warnings);
     return std::move(grammar_);
   }
 
@@ -148,10 +151,8 @@ class Compiler {
     at.seed = Seed{grammar_.text.seed}.child("axiom");
     for (const Expression& argument : arguments) {
       double value = evaluate(argument, at);
-      if (at.fault || !std::isfinite(value))
-        return errors_.push_back(
-            {"axiom",
-             "a parameter is not a finite number: division by zero, or an array element that is not there"});
+      if (!std::isfinite(value)) at.fail(FormulaFault::not_finite, argument.place);
+      if (at.failed()) return errors_.push_back({"axiom", fault_in(grammar_.text.axiom, at)});
       grammar_.axiom.parameters.push_back(value);
     }
   }
@@ -196,14 +197,19 @@ class Compiler {
     std::vector<SymbolId> predecessor;
     read_context(reader, parts->left, variables, rule.left);
     rule.left_variables = static_cast<int>(variables.size());
+    rule.left_places = modules_.places;
     within(reader, parts->predecessor,
            [&](Cursor& part) { modules_.read_pattern(part, variables, predecessor); });
+    std::vector<std::size_t> places = modules_.places;
     read_context(reader, parts->right, variables, rule.right);
+    rule.right_places = modules_.places;
     if (reader.failed()) return;
     if (predecessor.size() != 1)
       return reader.fail(
-          "the predecessor is one module; put its neighbours into contexts: `left < one > right`",
-          parts->predecessor.begin);
+          "the predecessor is one module; put its neighbours into contexts, `left < one > right`, or write a "
+          "model of cpfg (.l), whose productions may rewrite several at once",
+          places.empty() ? parts->predecessor.begin : places.back());
+    rule.place = places[0];
     rule.predecessor = predecessor[0];
     rule.variables = static_cast<int>(variables.size());
     std::string_view bracket = rule.predecessor == grammar_.open    ? "["
@@ -293,32 +299,17 @@ class Compiler {
     RuleSet& set = grammar_.interpretation;
     for (SymbolId bracket : {grammar_.open, grammar_.close}) {
       if (set.of[bracket].empty()) continue;
+      if (set.of[bracket].size() > 1) {
+        const Production& other = set.rules[set.of[bracket][1]];
+        errors_.push_back(in_rule(
+            other, other.place,
+            fmt::format("`{}` draws it in another way, but a bracket is always drawn alike", other.text)));
+      }
       if (grammar_.symbols.size() == 256)
         return errors_.push_back({"", "more than 254 different symbols beside drawn brackets; use fewer"});
       auto plain = static_cast<SymbolId>(grammar_.symbols.size());
       grammar_.symbols.push_back(Symbol(grammar_.symbols[bracket]));
       for (Production& rule : set.rules) std::ranges::replace(rule.successor, bracket, plain);
-    }
-  }
-
-  /// Interpretation happens while the turtle walks, where nothing else would stop a word without end.
-  void check_interpretation() {
-    constexpr double kMost = 1e7;
-    std::vector<double> size(grammar_.symbols.size(), 1);
-    for (int depth = 0; depth < grammar_.text.interpretation_depth; ++depth) {
-      std::vector<double> next(size.size(), 1);
-      for (const Production& rule : grammar_.interpretation.rules) {
-        double sum = 0;
-        for (SymbolId symbol : rule.successor) sum += size[symbol];
-        next[rule.predecessor] = std::max(next[rule.predecessor], sum);
-        if (sum <= kMost) continue;
-        errors_.push_back(
-            {rule.where,
-             fmt::format("`{}` makes {:.3g} modules of one at depth {}; lower `interpretation_depth`",
-                         rule.text, sum, depth + 1)});
-        return;
-      }
-      size = std::move(next);
     }
   }
 
@@ -341,12 +332,16 @@ class Compiler {
       symbol.context = symbol.name != "[" && symbol.name != "]" && !has(ignore, symbol.name) &&
                        (consider.empty() || has(consider, symbol.name));
     for (const Production& rule : grammar_.rules.rules)
-      for (const std::vector<SymbolId>* side : {&rule.left, &rule.right})
-        for (SymbolId id : *side)
-          if (!grammar_.symbols[id].context && id != grammar_.open && id != grammar_.close)
-            errors_.push_back({rule.where, fmt::format("`{}` can never be used: its context has `{}`, which "
-                                                       "contexts look past; change `ignore` or the rule",
-                                                       rule.text, grammar_.symbols[id].name)});
+      for (auto [side, places] :
+           {std::pair(&rule.left, &rule.left_places), {&rule.right, &rule.right_places}})
+        for (std::size_t i = 0; i < side->size(); ++i)
+          if (SymbolId id = (*side)[i];
+              !grammar_.symbols[id].context && id != grammar_.open && id != grammar_.close)
+            grammar_.text.notes.push_back(
+                in_rule(rule, (*places)[i],
+                        fmt::format("`{}` can never be used: its context has `{}`, which "
+                                    "contexts look past; change `ignore` or the rule",
+                                    rule.text, grammar_.symbols[id].name)));
   }
 
   void read_guide() {

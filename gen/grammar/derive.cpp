@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/lookalike.h"
+#include "core/wanted.h"
 #include "grammar/fast.h"
 #include "grammar/forecast.h"
 #include "grammar/rewrite.h"
@@ -52,7 +54,7 @@ Error trouble(const Expander& expander, int step, const Limits& limits) {
             fmt::format("step {}: `{}` takes its own outcome apart again and again, still so after "
                         "{} times; add a condition that ends it",
                         step, rule.text, kDeepest)};
-  return {rule.where, fmt::format("step {}: {}", step, fault_in(rule))};
+  return {rule.where, fmt::format("step {}: {}", step, expander.fault())};
 }
 
 /// Applies decomposition rules until none applies any more; `parents`, where given, follow.
@@ -86,11 +88,12 @@ Errors decompose(const Grammar& grammar, Derivation& state, Seed seed, const Lim
 
 }  // namespace
 
-std::string fault_in(const Production& rule) {
+std::string fault_in(std::string_view rule, const Evaluation& at) {
+  constexpr std::string_view kFaults[] = {"", "division by zero", "the array has no element of that number",
+                                          "a number that is not finite", "a weight below 0"};
   return fmt::format(
-      "division by zero or a number that is not finite in `{}`; add a condition that keeps the "
-      "rule away from there",
-      rule.text);
+      "column {}: {} in `{}`; add a condition that keeps the rule away from there, as `q != 0 and …`",
+      column_of(rule, at.fault_place), kFaults[static_cast<std::size_t>(at.fault)], rule);
 }
 
 Derivation begin(const Grammar& grammar, Seed seed) {
@@ -110,6 +113,7 @@ Errors advance_stepwise(const Grammar& grammar, Derivation& state, int steps, Se
   if (!plainly) table.emplace(grammar);
   Word next;
   for (int i = 0; i < steps; ++i) {
+    stay_wanted();
     if (grammar.cuts) cut(grammar, state.word);
     std::optional<Errors> done;
     if (table && table->fits())

@@ -38,8 +38,10 @@ class Parser {
   Parser(Cursor& reader, const Scope& scope) : in_(reader), scope_(scope) {}
 
   Expression read() {
-    read_or();
+    in_.skip_blanks();
     Expression formula;
+    formula.place = static_cast<std::uint32_t>(in_.at);
+    read_or();
     if (!in_.failed() && (code_.size() > 60000 || height() > kHighestStack))
       in_.fail("the formula is too long; split it with constants", in_.at);
     if (in_.failed()) return formula;
@@ -86,9 +88,9 @@ class Parser {
     part.code.assign(code_.end() - static_cast<std::ptrdiff_t>(n) - 1, code_.end());
     Evaluation nothing;
     double value = run(part, nothing);
-    if (nothing.fault) return in_.fail("division by zero", in_.at);
+    if (nothing.failed()) return in_.fail("division by zero", nothing.fault_place);
     code_.resize(code_.size() - n - 1);
-    code_.push_back({Op::constant, 0, value});
+    code_.push_back({Op::constant, 0, 0, value});
   }
 
   /// `a or b` is 1 as soon as a is true; `a and b` 0 as soon as a is false: the rest is not evaluated.
@@ -155,12 +157,14 @@ class Parser {
   void read_product() {
     read_sign();
     while (!in_.failed()) {
+      in_.skip_blanks();
+      auto sign = static_cast<std::uint32_t>(in_.at);
       if (in_.take("*"))
         read_sign(), emit({Op::multiply});
       else if (in_.take("/"))
-        read_sign(), emit({Op::divide});
+        read_sign(), emit({Op::divide, 0, sign});
       else if (in_.take("%"))
-        read_sign(), emit({Op::modulo});
+        read_sign(), emit({Op::modulo, 0, sign});
       else
         return;
     }
@@ -209,7 +213,7 @@ class Parser {
     auto [end, error] = std::from_chars(first, in_.text.data() + in_.text.size(), value);
     if (error != std::errc{}) return in_.fail("this is not a number", in_.at);
     in_.at += static_cast<std::size_t>(end - first);
-    emit({Op::constant, 0, value});
+    emit({Op::constant, 0, 0, value});
   }
 
   void read_name(std::string_view name, std::size_t start) {
@@ -218,10 +222,10 @@ class Parser {
     if (const Constant* constant = find(name)) {
       if (constant->array)
         return in_.fail(fmt::format("`{0}` is an array; write {0}[i] or ramp({0}, t)", name), start);
-      return emit({Op::constant, 0, constant->values[0]});
+      return emit({Op::constant, 0, 0, constant->values[0]});
     }
     if (name == "step") return emit({Op::step_number});
-    if (name == "pi") return emit({Op::constant, 0, kPi});
+    if (name == "pi") return emit({Op::constant, 0, 0, kPi});
     std::vector<std::string_view> known(scope_.variables.begin(), scope_.variables.end());
     for (const Constant& constant : scope_.constants) known.push_back(constant.name);
     std::string_view near = nearest_name(name, known);
@@ -243,7 +247,7 @@ class Parser {
     in_.take("[");
     read_or();
     if (!in_.failed() && !in_.take("]")) return in_.fail("a `]` is missing", in_.at);
-    emit({Op::element, constant->table});
+    emit({Op::element, constant->table, static_cast<std::uint32_t>(start)});
   }
 
   void read_ramp(std::size_t start) {

@@ -33,6 +33,7 @@ inline constexpr std::size_t kHighestStack = 64;
 struct Instruction {
   Op op = Op::constant;
   std::uint16_t index = 0;  ///< index of a variable or table, or jump target
+  std::uint32_t place = 0;  ///< offset of its sign in the text, where it may fail
   double value = 0;         ///< of a constant
 };
 
@@ -43,9 +44,13 @@ struct Expression {
 
   Form form = Form::constant;
   std::uint16_t variable = 0;
+  std::uint32_t place = 0;  ///< offset in the text that it was read from
   double value = 0;
   std::vector<Instruction> code;
 };
+
+/// Why a formula has no value that can be used.
+enum class FormulaFault : std::uint8_t { none, zero_division, no_element, not_finite, bad_weight };
 
 /// The context in which a formula is evaluated.
 struct Evaluation {
@@ -54,7 +59,13 @@ struct Evaluation {
   Seed seed;                                    ///< place of the module in the derivation
   double step = 0;                              ///< number of the step being made, from 1
   std::uint32_t draws = 0;                      ///< random numbers taken so far
-  bool fault = false;                           ///< set by a division by zero or an index out of range
+  FormulaFault fault = FormulaFault::none;      ///< the first that occurred
+  std::uint32_t fault_place = 0;                ///< its offset in the text
+
+  bool failed() const { return fault != FormulaFault::none; }
+  void fail(FormulaFault why, std::uint32_t place) {
+    if (fault == FormulaFault::none) fault = why, fault_place = place;
+  }
 };
 
 /// Sine of an angle in degrees, exact where the result is a whole number.
@@ -63,7 +74,7 @@ double sine(double degrees);
 /// Runs the code of a formula; the general case of evaluate().
 double run(const Expression& formula, Evaluation& at);
 
-/// The value of a formula. Never fails: errors are in `at.fault`, or the value is not finite.
+/// The value of a formula. Where it has none, `at.fault` says why; a value may also be not finite.
 inline double evaluate(const Expression& formula, Evaluation& at) {
   switch (formula.form) {
     case Expression::Form::constant:

@@ -145,7 +145,7 @@ struct FreeStep {
       }
       parameters += arity;
     }
-    return wrong == 0 && !evaluation.fault;
+    return wrong == 0 && !evaluation.failed();
   }
 
   static void copy(SymbolId* to, const SymbolId* end, const Outcome& outcome) {

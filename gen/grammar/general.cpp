@@ -52,7 +52,7 @@ class Rewriter {
       SymbolId symbol = in.symbols[i];
       int arity = grammar_.symbols[symbol].arity;
       int index = done ? -1 : find_rule(i, symbol, parameters);
-      if (index < 0) {
+      if (index < 0 || at_.failed()) {
         out.symbols.push_back(symbol);
         out.parameters.insert(out.parameters.end(), parameters, parameters + arity);
       } else {
@@ -61,8 +61,8 @@ class Rewriter {
         done = step_.leftmost;
       }
       if (step_.parents) step_.parents->resize(out.size(), static_cast<std::uint32_t>(i));
-      if (at_.fault) chunk.errors = {trouble(i, symbol, parameters, index)};
-      if (at_.fault || out.size() > step_.limits.modules || out.bytes() > step_.limits.bytes) return;
+      if (at_.failed()) chunk.errors = {trouble(i, symbol, parameters, index)};
+      if (at_.failed() || out.size() > step_.limits.modules || out.bytes() > step_.limits.bytes) return;
       parameters += arity;
     }
   }
@@ -87,7 +87,7 @@ class Rewriter {
     out.symbols.insert(out.symbols.end(), rule.successor.begin(), rule.successor.end());
     for (const Expression& argument : rule.arguments) {
       double value = evaluate(argument, at_);
-      at_.fault |= !std::isfinite(value);
+      if (!std::isfinite(value)) at_.fail(FormulaFault::not_finite, argument.place);
       out.parameters.push_back(value);
     }
   }
@@ -96,13 +96,9 @@ class Rewriter {
     Word module;
     module.symbols.push_back(symbol);
     module.parameters.assign(parameters, parameters + grammar_.symbols[symbol].arity);
-    const auto& of = grammar_.rules.of[symbol];
-    const Production& rule = grammar_.rules.rules[static_cast<std::size_t>(index < 0 ? of[0] : index)];
-    return {
-        rule.where,
-        fmt::format("step {}, module {} (`{}`): division by zero, a number that is not finite or a weight "
-                    "below 0 in `{}`; add a condition that keeps the rule away from there",
-                    step_.state.steps + 1, i + 1, text(grammar_, module), rule.text)};
+    const Production& rule = grammar_.rules.rules[static_cast<std::size_t>(index)];
+    return {rule.where, fmt::format("step {}, module {} (`{}`): {}", step_.state.steps + 1, i + 1,
+                                    text(grammar_, module), fault_in(rule.text, at_))};
   }
 
   const GeneralStep& step_;

@@ -102,7 +102,9 @@ struct Production {
   int limit = GrammarText::kUnlimited;
   std::vector<SymbolId> successor;
   std::vector<Expression> arguments;  ///< of all modules of the successor in order
-  std::string where, text;            ///< for messages
+  std::string where, text;            ///< for messages, as the places in the text that follow
+  std::size_t place = 0;              ///< of the predecessor
+  std::vector<std::size_t> left_places, right_places;  ///< of the modules of the contexts
 
   bool context_free() const { return left.empty() && right.empty(); }
   bool always() const {

@@ -19,7 +19,7 @@ using namespace import_text;
 struct HoudiniRule {
   std::string head, predecessor, condition, weight, successor;
   std::string kept;  ///< what the predecessor becomes where probabilities leave it as it is
-  int line = 0;
+  Line line;
   bool position = false, age = false;  ///< it uses the turtle's position, the age of its symbol
 };
 
@@ -112,8 +112,13 @@ class HoudiniReader {
     g_.length_scale = g_.width_scale = 0.5;
     g_.axiom.clear();
     g_.symbols = {"g"};
-    for (const Line& line : lines_of(text))
-      if (!line.text.starts_with('#') && !take_setting(line)) read_rule(line);
+    std::vector<Line> lines = lines_of(text);
+    std::erase_if(lines, [](const Line& line) { return line.text.starts_with('#'); });
+    for (const Line& line : lines)
+      if (std::optional<Error> odd = odd_sign(line)) errors_.push_back(std::move(*odd));
+    if (!errors_.empty()) return std::move(errors_);
+    for (const Line& line : lines)
+      if (!take_setting(line)) read_rule(line);
     if (rules_.empty()) return Error{"", "there is no rule `A=…`; this is not a Houdini rule list"};
     if (g_.axiom.empty()) fail({}, "there is no `premise: …`");
     take_names();
@@ -125,7 +130,7 @@ class HoudiniReader {
 
  private:
   void fail(const Line& line, std::string what) {
-    errors_.push_back({line.number > 0 ? fmt::format("line {}", line.number) : "", std::move(what)});
+    errors_.push_back({line.number > 0 ? place_in(line, line.text) : "", std::move(what)});
   }
   void note(std::string what) { g_.notes.push_back({"file", std::move(what)}); }
   bool given(std::string_view name) const { return std::ranges::find(given_, name) != given_.end(); }
@@ -170,7 +175,8 @@ class HoudiniReader {
   }
 
   void fail_words(const Line& line) {
-    for (std::string& fault : words_.take_faults()) fail(line, std::move(fault));
+    for (HoudiniWords::Refusal& fault : words_.take_faults())
+      errors_.push_back({place_in(line, fault.where), std::move(fault.what)});
   }
 
   void read_rule(const Line& line) {
@@ -179,7 +185,7 @@ class HoudiniReader {
       return fail(line, fmt::format("`{}` is neither a rule `A=…` nor a value of the node", line.text));
     std::string_view head = trim(line.text.substr(0, equals)), successor = trim(line.text.substr(equals + 1));
     HoudiniRule rule;
-    rule.line = line.number;
+    rule.line = line;
     std::size_t colon = head.find(':'), last = last_outside(successor, ':');
     rule.head = trim(head.substr(0, colon));
     std::size_t less = rule.head.find('<'), greater = rule.head.find('>');
@@ -237,9 +243,9 @@ class HoudiniReader {
       const HoudiniRule& rule = rules_[i];
       std::string head = rule.head + condition_of(rule), weight = rule.weight;
       if (!weight.empty()) weight = fmt::format("({})", weight);
-      add(fmt::format("{} ->{} {}", head, weight, rule.successor), rule.line);
+      add(fmt::format("{} ->{} {}", head, weight, rule.successor), rule.line.number);
       if (std::string rest = rest_after(i); !rest.empty())
-        add(fmt::format("{} ->({}) {}", head, rest, rule.kept), rule.line);
+        add(fmt::format("{} ->({}) {}", head, rest, rule.kept), rule.line.number);
     }
     for (std::string& rule : ages_) g_.rules.push_back({std::move(rule), GrammarText::kUnlimited, "ages"});
     for (std::string& rule : answers_)
@@ -313,7 +319,7 @@ class HoudiniReader {
     std::map<std::string, bool> kept;  // rules by which a symbol grows older, and whether any comes to that
     for (HoudiniRule& rule : rules_) {
       if (rule.head.find_first_of(symbols) == rule.head.npos) continue;
-      if (rule.head != rule.predecessor) fail({{}, rule.line}, "g cannot be had in a grammar with contexts");
+      if (rule.head != rule.predecessor) fail(rule.line, "g cannot be had in a grammar with contexts");
       rule.kept = aged(rule.predecessor, "g_+1");
       rule.head = rule.predecessor = aged(rule.predecessor, "g_");
       bool& stays =
@@ -334,8 +340,7 @@ class HoudiniReader {
     std::string symbols;
     for (HoudiniRule& rule : rules_) {
       if (rule.head != rule.predecessor) {
-        Line line{{}, rule.line};
-        fail(line, "x, y and z cannot be had in a grammar with contexts");
+        fail(rule.line, "x, y and z cannot be had in a grammar with contexts");
       }
       if (!rule.position) continue;
       symbols += rule.predecessor[0];

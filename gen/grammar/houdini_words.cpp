@@ -20,7 +20,11 @@ struct Missing {
 };
 constexpr Missing kMissing[] = {
     {"pic", "reads a picture of its node; take it out, or give the node's value in its place"},
-    {"in", "asks a metaball of its node; ?E in a grammar of Frond asks the bodies of a scene"},
+    {"in",
+     "asks whether a place lies within the shape at the node's second input; ways round: give the shape as a "
+     "formula of x, y and z, as `x*x+(y-1)*(y-1)+z*z<1`; let the kind `colonized` fill it; or ask ?E in a "
+     "grammar "
+     "of Frond how far the bodies of a scene are"},
     {"chan", "reads a channel of its node; give the node's value in its place"}};
 
 /// Symbols that the turtle knows; all other letters only have rules.
@@ -94,7 +98,7 @@ std::string HoudiniWords::name(std::string_view found, const std::vector<std::st
                                bool call) {
   for (const Missing& missing : kMissing)
     if (call && missing.name == found)
-      return refuse(fmt::format("`{}` {}", found, missing.what)), std::string(found);
+      return refuse(fmt::format("`{}` {}", found, missing.what), found), std::string(found);
   if (call || in(parameters, found) || found.size() != 1) return std::string(found);
   switch (found[0]) {
     case 't':
@@ -149,7 +153,7 @@ std::string HoudiniWords::parameters_of(char symbol, std::string_view inside,
   for (std::string_view part : parts) {
     bool drawn = !draws_nothing(symbol);
     if (part.empty() && drawn)
-      refuse(fmt::format("`{}({})` leaves out a parameter; give its value", symbol, inside));
+      refuse(fmt::format("`{}({})` leaves out a parameter; give its value", symbol, inside), inside);
     out += (out.empty() ? "(" : ",") + (part.empty() ? "0" : formula(part, parameters));
   }
   return out + ")";
@@ -158,9 +162,11 @@ std::string HoudiniWords::parameters_of(char symbol, std::string_view inside,
 std::string HoudiniWords::word(std::string_view text, const std::vector<std::string>& parameters) {
   std::string out;
   if (text.find('`') != text.npos)
-    return refuse("what stands in backquotes is worked out by Houdini itself; give its value"), "";
+    return refuse("what stands in backquotes is worked out by Houdini itself; give its value",
+                  text.substr(text.find('`'))),
+           "";
   if (text.find("a(\"") != text.npos)
-    return refuse("`a(\"…\")` names an attribute of points; take it out"), "";
+    return refuse("`a(\"…\")` names an attribute of points; take it out", text.substr(text.find("a(\""))), "";
   for (std::size_t i = 0; i < text.size(); ++i) {
     char c = text[i];
     out += c;
@@ -172,7 +178,8 @@ std::string HoudiniWords::word(std::string_view text, const std::vector<std::str
     }
     add(used, c);
     std::size_t close = closing(text, open);
-    if (close == text.size()) return refuse(fmt::format("a `)` is missing in `{}`", text)), "";
+    if (close == text.size())
+      return refuse(fmt::format("a `)` is missing in `{}`", text), text.substr(open)), "";
     out += parameters_of(c, text.substr(open + 1, close - open - 1), parameters);
     i = close;
   }

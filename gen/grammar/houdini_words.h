@@ -18,7 +18,11 @@ class HoudiniWords {
   std::string formula(std::string_view text, const std::vector<std::string>& parameters);
 
   /// What cannot be had, of all texts since the last call.
-  std::vector<std::string> take_faults() { return std::exchange(faults_, {}); }
+  struct Refusal {
+    std::string what;
+    std::string_view where;  ///< a part of the text that was given
+  };
+  std::vector<Refusal> take_faults() { return std::exchange(faults_, {}); }
 
   std::string used, bare;               ///< symbols that occurred; those that did without a parameter
   std::string names;                    ///< variables of the node that occurred
@@ -28,9 +32,9 @@ class HoudiniWords {
  private:
   std::string name(std::string_view found, const std::vector<std::string>& parameters, bool call);
   std::string parameters_of(char symbol, std::string_view inside, const std::vector<std::string>& parameters);
-  void refuse(std::string what) { faults_.push_back(std::move(what)); }
+  void refuse(std::string what, std::string_view where) { faults_.push_back({std::move(what), where}); }
 
-  std::vector<std::string> faults_;
+  std::vector<Refusal> faults_;
 };
 
 /// Whether it is a letter that draws nothing.

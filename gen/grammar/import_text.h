@@ -17,6 +17,7 @@ namespace frond::import_text {
 struct Line {
   std::string_view text;
   int number = 0;
+  std::string_view whole = {};  ///< with its blanks
 };
 
 /// Without blanks at both ends.
@@ -27,6 +28,12 @@ std::vector<Line> lines_of(std::string_view text);
 
 /// A finite number, nothing else.
 std::optional<double> number(std::string_view text);
+
+/// Where a part of a line stands: "line 3: column 5".
+std::string place_in(const Line& line, std::string_view part);
+
+/// The first sign of the line that looks like one of ASCII and is not, as an error.
+std::optional<Error> odd_sign(const Line& line);
 
 /// The error that the line's value is not a number from 0 to `most`.
 Error not_a_count(const Line& line, double most);

@@ -47,7 +47,7 @@ class LeftmostRewriter {
       int index = choose(grammar_.rules, symbol, at_, [&](const Production& rule, int i) {
         return !grammar_.limited || state_.uses[static_cast<std::size_t>(i)] < rule.limit;
       });
-      if (at_.fault) return false;
+      if (at_.failed()) return false;
       if (index >= 0) return write(static_cast<std::size_t>(index), arity);
     }
     return true;
@@ -80,9 +80,9 @@ class LeftmostRewriter {
     values_.clear();
     for (const Expression& argument : rule.arguments) {
       values_.push_back(evaluate(argument, at_));
-      at_.fault |= !std::isfinite(values_.back());
+      if (!std::isfinite(values_.back())) at_.fail(FormulaFault::not_finite, argument.place);
     }
-    if (at_.fault) return false;
+    if (at_.failed()) return false;
     right_.symbols.pop_back();
     right_.parameters.resize(right_.parameters.size() - arity);
     right_.symbols.insert(right_.symbols.end(), rule.successor.rbegin(), rule.successor.rend());

@@ -19,8 +19,9 @@ namespace {
 
 double sign_of(double x) { return static_cast<double>(x > 0) - static_cast<double>(x < 0); }
 
-double element_of(const std::vector<double>& table, double index, bool& fault) {
-  if (!(index >= 0 && index < static_cast<double>(table.size()))) return fault = true, 0.0;
+double element_of(const std::vector<double>& table, double index, std::uint32_t place, Evaluation& at) {
+  if (!(index >= 0 && index < static_cast<double>(table.size())))
+    return at.fail(FormulaFault::no_element, place), 0.0;
   return table[static_cast<std::size_t>(index)];
 }
 
@@ -74,8 +75,9 @@ double unary(Op op, double x) {
   }
 }
 
-double binary(Op op, double a, double b, Evaluation& at) {
-  switch (op) {
+double binary(const Instruction& now, double a, double b, Evaluation& at) {
+  auto by_zero = [&] { return at.fail(FormulaFault::zero_division, now.place), 0.0; };
+  switch (now.op) {
     case Op::add:
       return a + b;
     case Op::subtract:
@@ -83,9 +85,9 @@ double binary(Op op, double a, double b, Evaluation& at) {
     case Op::multiply:
       return a * b;
     case Op::divide:
-      return b == 0 ? (at.fault = true, 0.0) : a / b;
+      return b == 0 ? by_zero() : a / b;
     case Op::modulo:
-      return b == 0 ? (at.fault = true, 0.0) : std::fmod(a, b);
+      return b == 0 ? by_zero() : std::fmod(a, b);
     case Op::power:
       return std::pow(a, b);
     case Op::less:
@@ -134,7 +136,7 @@ double run(const Expression& formula, Evaluation& at) {
         *++top = at.step;
         break;
       case Op::element:
-        *top = element_of(at.tables[now.index], *top, at.fault);
+        *top = element_of(at.tables[now.index], *top, now.place, at);
         break;
       case Op::ramp:
         *top = ramp_of(at.tables[now.index], *top);
@@ -161,7 +163,7 @@ double run(const Expression& formula, Evaluation& at) {
           *top = unary(now.op, *top);
         } else {
           --top;
-          top[0] = binary(now.op, top[0], top[1], at);
+          top[0] = binary(now, top[0], top[1], at);
         }
     }
   }

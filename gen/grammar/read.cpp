@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/lookalike.h"
 #include "grammar/rewrite.h"
 
 namespace frond {
@@ -116,7 +117,9 @@ void ModuleReader::read_modules(Cursor& reader, std::span<const std::string> var
 
 void ModuleReader::read_pattern(Cursor& reader, std::vector<std::string>& variables,
                                 std::vector<SymbolId>& modules) {
+  places.clear();
   while (!reader.at_end() && !reader.failed()) {
+    std::size_t begin = reader.at;
     std::string_view name = take_name(reader);
     int arity = 0;
     if (!reader.failed() && reader.take("(")) {
@@ -132,7 +135,7 @@ void ModuleReader::read_pattern(Cursor& reader, std::vector<std::string>& variab
       } while (reader.take(","));
       if (!reader.take(")")) reader.fail("a `)` is missing", reader.at);
     }
-    if (!reader.failed()) modules.push_back(id(name, arity, reader));
+    if (!reader.failed()) modules.push_back(id(name, arity, reader)), places.push_back(begin);
   }
 }
 
@@ -167,7 +170,8 @@ std::optional<RuleParts> split_rule(Cursor& reader) {
 
 Error complaint(const Cursor& reader, std::string_view where) {
   return Error{std::string(where),
-               fmt::format("column {}: {}; in `{}`", reader.mistake_at + 1, reader.mistake, reader.text)};
+               fmt::format("column {}: {}; in `{}`", column_of(reader.text, reader.mistake_at),
+                           reader.mistake, reader.text)};
 }
 
 }  // namespace frond

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/lookalike.h"
+
 namespace frond {
 
 namespace {
@@ -66,21 +68,107 @@ bool is_derived(const Grammar& grammar, std::size_t symbol) {
          std::ranges::any_of(grammar.decomposition.rules, makes);
 }
 
-/// A name that is rewritten with one number of parameters and used with another.
-std::optional<Error> other_arity(const Grammar& grammar, std::size_t symbol) {
+/// A name that is rewritten with other numbers of parameters than it is used with.
+std::optional<Error> other_arity(const Grammar& grammar, std::size_t symbol, const Making& made) {
   const Symbol& used = grammar.symbols[symbol];
   if (!is_derived(grammar, symbol)) return std::nullopt;
-  for (std::size_t i = 0; i < grammar.symbols.size(); ++i)
-    if (grammar.symbols[i].name == used.name && !grammar.rules.of[i].empty())
-      return Error{grammar.rules.rules[grammar.rules.of[i][0]].where,
-                   fmt::format("`{}` is rewritten with {} parameter(s) only; with {} it stays as it is",
-                               used.name, grammar.symbols[i].arity, used.arity)};
-  return std::nullopt;
+  std::string others;
+  for (std::size_t i = 0; i < grammar.symbols.size(); ++i) {
+    if (grammar.symbols[i].name != used.name || grammar.rules.of[i].empty()) continue;
+    std::size_t rule = grammar.rules.of[i][0];
+    others +=
+        fmt::format("{}with {} (rule {}, column {})", others.empty() ? "" : " or ", grammar.symbols[i].arity,
+                    rule + 1, column_of(grammar.rules.rules[rule].text, grammar.rules.rules[rule].place));
+  }
+  if (others.empty()) return std::nullopt;
+  return Error{made.where,
+               fmt::format("column {}: `{}` has {} parameters here and is rewritten {} only, so it "
+                           "stays as it is; in `{}`",
+                           column_of(made.text, made.at), used.name, used.arity, others, made.text)};
+}
+
+/// A letter of another alphabet that looks like one that rules rewrite or the turtle knows.
+std::optional<Error> twin_letter(const Grammar& grammar, const Symbol& symbol, const Making& made) {
+  char latin = latin_lookalike(symbol.name);
+  std::string name(1, latin);
+  auto meant = [&](const Symbol& other) { return other.name == name; };
+  if (latin == '\0' ||
+      (act_of(name, grammar.text.dialect) == Act::none && std::ranges::none_of(grammar.symbols, meant)))
+    return std::nullopt;
+  return Error{made.where,
+               fmt::format("column {}: `{}` is a letter of another alphabet that looks like `{}`, "
+                           "and nothing rewrites it; in `{}`",
+                           column_of(made.text, made.at), symbol.name, name, made.text)};
+}
+
+/// That nothing of the axiom is ever rewritten, though there are rules and steps.
+std::optional<Error> idle_axiom(const Grammar& grammar) {
+  auto changes = [&](SymbolId symbol) {
+    return std::ranges::any_of(grammar.symbols, [&](const Symbol& other) {
+      auto id = static_cast<std::size_t>(&other - grammar.symbols.data());
+      return other.name == grammar.symbols[symbol].name &&
+             !(grammar.rules.of[id].empty() && grammar.decomposition.of[id].empty());
+    });
+  };
+  if (grammar.text.steps == 0 || grammar.rules.empty() || !grammar.interpretation.empty() ||
+      grammar.axiom.symbols.empty() || std::ranges::any_of(grammar.axiom.symbols, changes))
+    return std::nullopt;
+  return Error{"axiom", fmt::format("column 1: no rule rewrites anything of `{}`, so it stays as it is",
+                                    grammar.text.axiom)};
 }
 
 }  // namespace
 
-void find_shadowed(const RuleSet& set, Errors& errors) {
+Error in_rule(const Production& rule, std::size_t place, std::string_view what) {
+  return {rule.where, fmt::format("column {}: {}", column_of(rule.text, place), what)};
+}
+
+void find_odd_signs(const GrammarText& text, Errors& errors) {
+  auto is_symbol = [&](std::string_view sign) {
+    return std::ranges::any_of(text.symbols, [&](const std::string& s) { return s.find(sign) != s.npos; });
+  };
+  auto check = [&](std::string_view where, std::string_view line) {
+    std::optional<Lookalike> odd = find_lookalike(line);
+    while (odd && is_symbol(line.substr(odd->at, odd->size))) odd = find_lookalike(line, odd->at + odd->size);
+    if (!odd) return;
+    errors.push_back(
+        {std::string(where), fmt::format("column {}: {} is not {}, which is meant; write that, or name it in "
+                                         "`symbols` where it is a symbol of its own; in `{}`",
+                                         column_of(line, odd->at), odd->name, odd->meant, line)});
+  };
+  check("axiom", text.axiom);
+  auto check_rules = [&](const std::vector<GrammarText::Rule>& rules, std::string_view kind) {
+    for (std::size_t i = 0; i < rules.size(); ++i)
+      check(rules[i].where.empty() ? fmt::format("{} {}", kind, i + 1) : rules[i].where, rules[i].text);
+  };
+  check_rules(text.rules, "rule");
+  check_rules(text.decomposition, "decomposition rule");
+  check_rules(text.interpretation, "interpretation rule");
+  for (const auto& [name, formula] : text.constants) check(fmt::format("constant `{}`", name), formula);
+  check("ignore", text.ignore);
+  check("consider", text.consider);
+}
+
+void find_swelling(const Grammar& grammar, Errors& errors) {
+  constexpr double kMost = 1e7;
+  std::vector<double> size(grammar.symbols.size(), 1);
+  for (int depth = 0; depth < grammar.text.interpretation_depth; ++depth) {
+    std::vector<double> next(size.size(), 1);
+    for (const Production& rule : grammar.interpretation.rules) {
+      double sum = 0;
+      for (SymbolId symbol : rule.successor) sum += size[symbol];
+      next[rule.predecessor] = std::max(next[rule.predecessor], sum);
+      if (sum <= kMost) continue;
+      return errors.push_back(
+          in_rule(rule, rule.place,
+                  fmt::format("`{}` makes {:.3g} modules of one at depth {}; lower `interpretation_depth`",
+                              rule.text, sum, depth + 1)));
+    }
+    size = std::move(next);
+  }
+}
+
+void find_shadowed(const RuleSet& set, Errors& notes) {
   for (const auto& of : set.of) {
     for (std::size_t later = 1; later < of.size(); ++later) {
       const Production& hidden = set.rules[of[later]];
@@ -90,10 +178,11 @@ void find_shadowed(const RuleSet& set, Errors& errors) {
         bool certain = !first.conditional && first.limit == GrammarText::kUnlimited &&
                        !(first.weighted && hidden.weighted);
         if (!wider || !certain) continue;
-        errors.push_back(
-            {hidden.where, fmt::format("`{}` can never be used: `{}` ({}) comes first and always matches; "
-                                       "put it before, give both a weight, or remove it",
-                                       hidden.text, first.text, first.where)});
+        notes.push_back(
+            in_rule(hidden, hidden.place,
+                    fmt::format("`{}` can never be used: `{}` ({}) comes first and always matches; "
+                                "put it before, give both a weight, or remove it",
+                                hidden.text, first.text, first.where)));
         break;
       }
     }
@@ -113,10 +202,10 @@ Errors find_endless(const Grammar& grammar) {
       rule = &grammar.decomposition.rules[grammar.decomposition.of[at][0]];
       at = *std::ranges::find_if(rule->successor, [&](SymbolId symbol) { return !ends[symbol]; });
     }
-    return {
-        {rule->where, fmt::format("`{}` never ends: what it makes is taken apart into `{}` again; give it "
-                                  "a condition, or put it among `rules`",
-                                  rule->text, grammar.symbols[at].name)}};
+    return {in_rule(*rule, rule->place,
+                    fmt::format("`{}` never ends: what it makes is taken apart into `{}` again; give it "
+                                "a condition, or put it among `rules`",
+                                rule->text, grammar.symbols[at].name))};
   }
   return {};
 }
@@ -133,16 +222,20 @@ Errors find_idle(const Grammar& grammar) {
     const Symbol& symbol = grammar.symbols[i];
     const std::optional<Making>& made = grammar.making[i];
     if (!made || !grammar.rules.of[i].empty()) continue;
-    if (std::optional<Error> other = other_arity(grammar, i)) {
+    if (std::optional<Error> other = other_arity(grammar, i, *made)) {
       warnings.push_back(std::move(*other));
+    } else if (std::optional<Error> twin = twin_letter(grammar, symbol, *made);
+               twin && !is_known(grammar, symbol.name)) {
+      warnings.push_back(std::move(*twin));
     } else if (draws && symbol.act == Act::none && made->where != "axiom" &&
                !is_known(grammar, symbol.name)) {
       warnings.push_back(
           {made->where, fmt::format("column {}: `{}` does nothing: no rule rewrites it and the "
                                     "turtle does not know it; in `{}`",
-                                    made->at + 1, symbol.name, made->text)});
+                                    column_of(made->text, made->at), symbol.name, made->text)});
     }
   }
+  if (std::optional<Error> idle = idle_axiom(grammar)) warnings.push_back(std::move(*idle));
   return warnings;
 }
 

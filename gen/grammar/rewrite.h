@@ -9,7 +9,8 @@ namespace frond {
 
 /// The rule that rewrites a module: the first that matches or, if that one has a weight, one drawn from all
 /// matching rules with weights. `match(rule, index)` tells whether contexts and limits allow a rule and sets
-/// `at.frame`. Returns the index in the set, or -1 if the module stays.
+/// `at.frame`. Returns the index in the set, or -1 if the module stays. Where a condition or a weight has no
+/// value, `at.fault` says why, and the index is that of its rule.
 template <class Match>
 int choose(const RuleSet& set, SymbolId symbol, Evaluation& at, const Match& match) {
   auto applies = [&](int index) {
@@ -17,12 +18,14 @@ int choose(const RuleSet& set, SymbolId symbol, Evaluation& at, const Match& mat
     if (!match(rule, index)) return false;
     if (!rule.conditional) return true;
     double truth = evaluate(rule.condition, at);
-    at.fault |= std::isnan(truth);
+    if (std::isnan(truth)) at.fail(FormulaFault::not_finite, rule.condition.place);
     return truth != 0;
   };
   const auto& of = set.of[symbol];
   for (std::size_t i = 0; i < of.size(); ++i) {
-    if (!applies(of[i])) continue;
+    bool first = applies(of[i]);
+    if (at.failed()) return of[i];
+    if (!first) continue;
     if (!set.rules[of[i]].weighted) return of[i];
     double total = 0;
     std::array<double, 64> sums;  // further weighted rules of one symbol are ignored
@@ -30,7 +33,8 @@ int choose(const RuleSet& set, SymbolId symbol, Evaluation& at, const Match& mat
     for (std::size_t j = i; j < last; ++j) {
       bool drawn = set.rules[of[j]].weighted && (j == i || applies(of[j]));
       double weight = drawn ? (match(set.rules[of[j]], of[j]), evaluate(set.rules[of[j]].weight, at)) : 0.0;
-      at.fault |= !(weight >= 0);
+      if (!(weight >= 0)) at.fail(FormulaFault::bad_weight, set.rules[of[j]].weight.place);
+      if (at.failed()) return of[j];
       sums[j - i] = total += weight;
     }
     double drawn = at.seed.unit() * total;
@@ -44,8 +48,8 @@ int choose(const RuleSet& set, SymbolId symbol, Evaluation& at, const Match& mat
   return -1;
 }
 
-/// The message for a rule that divides by zero or produces a number that is not finite.
-std::string fault_in(const Production& rule);
+/// The message for a rule that divides by zero or produces a number that is not finite: with the column.
+std::string fault_in(std::string_view rule, const Evaluation& at);
 
 /// Maximum number of parameters of a module.
 inline constexpr int kMostParameters = 32;
@@ -95,6 +99,8 @@ class Expander {
   /// involved.
   Stop stop() const { return stop_; }
   const Production& rule() const { return *rule_; }
+  /// Of a fault.
+  std::string fault() const { return fault_in(rule_->text, fault_); }
 
  private:
   /// A rule whose successor is being processed.
@@ -115,7 +121,7 @@ class Expander {
     if ((depth > 0 || most_ > 0) && !set_.of[symbol].empty())
       index = choose(set_, symbol, at,
                      [&](const Production&, int) { return at.frame = values_.data() + frame, true; });
-    if (at.fault) return halt(Stop::fault, &set_.rules[set_.of[symbol][0]]);
+    if (at.failed()) return halt_at(at, set_.rules[static_cast<std::size_t>(index)]);
     if (index < 0) {
       if (!emit(symbol, values_.data() + frame)) return halt(Stop::size, nullptr);
       values_.resize(frame);
@@ -138,10 +144,10 @@ class Expander {
     at.draws = level.draws;
     for (std::size_t i = first; i < values_.size(); ++i) {
       values_[i] = evaluate(*level.argument++, at);
-      at.fault |= !std::isfinite(values_[i]);
+      if (!std::isfinite(values_[i])) at.fail(FormulaFault::not_finite, (level.argument - 1)->place);
     }
     level.draws = at.draws;
-    return at.fault ? halt(Stop::fault, level.rule) : true;
+    return at.failed() ? halt_at(at, *level.rule) : true;
   }
 
   void leave() {
@@ -154,6 +160,11 @@ class Expander {
     return false;
   }
 
+  bool halt_at(const Evaluation& at, const Production& rule) {
+    fault_ = at;
+    return halt(Stop::fault, &rule);
+  }
+
   const Grammar& grammar_;
   const RuleSet& set_;
   std::vector<Level> path_;
@@ -161,6 +172,7 @@ class Expander {
   std::size_t most_, applied_ = 0;
   Stop stop_ = Stop::none;
   const Production* rule_ = nullptr;
+  Evaluation fault_;
 };
 
 }  // namespace frond

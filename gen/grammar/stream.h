@@ -52,25 +52,26 @@ class Stream {
     at.seed = seeds_[level].child(places_[level]++);
     int index = choose(grammar_.rules, symbol, at,
                        [&](const Production&, int) { return at.frame = parameters, true; });
-    if (at.fault) return fail(grammar_.rules.rules[grammar_.rules.of[symbol][0]], level);
+    if (at.failed()) return fail(grammar_.rules.rules[static_cast<std::size_t>(index)], level, at);
     if (index < 0) return grow(symbol, parameters, level + 1);
     const Production& rule = grammar_.rules.rules[static_cast<std::size_t>(index)];
     const Expression* argument = rule.arguments.data();
     std::array<double, kMostParameters> values;
     for (SymbolId next : rule.successor) {
       for (int i = 0, n = grammar_.symbols[next].arity; i < n; ++i) {
-        double value = evaluate(*argument++, at);
-        at.fault |= !std::isfinite(value);
+        double value = evaluate(*argument, at);
+        if (!std::isfinite(value)) at.fail(FormulaFault::not_finite, argument->place);
+        ++argument;
         values[static_cast<std::size_t>(i)] = value;
       }
-      if (at.fault) return fail(rule, level);
+      if (at.failed()) return fail(rule, level, at);
       if (!grow(next, values.data(), level + 1)) return false;
     }
     return true;
   }
 
-  bool fail(const Production& rule, std::size_t level) {
-    trouble_ = {rule.where, fmt::format("step {}: {}", level + 1, fault_in(rule))};
+  bool fail(const Production& rule, std::size_t level, const Evaluation& at) {
+    trouble_ = {rule.where, fmt::format("step {}: {}", level + 1, fault_in(rule.text, at))};
     return false;
   }
 

@@ -40,11 +40,12 @@ class Turtle {
       return act(symbol, parameters), void(++fed_);
     at_.seed = seed_.child("interpret").child(fed_++);
     auto emit = [&](SymbolId s, const double* p) { return act(s, p), true; };
-    if (!expander_.run(symbol, parameters, text_.interpretation_depth, at_, emit)) wrong_ = &expander_.rule();
+    if (!expander_.run(symbol, parameters, text_.interpretation_depth, at_, emit) && !wrong_)
+      wrong_ = Error{expander_.rule().where, expander_.fault()};
   }
 
   /// The error of an interpretation rule; the rest of its result was dropped.
-  Errors trouble() const { return wrong_ ? Errors{{wrong_->where, fault_in(*wrong_)}} : Errors{}; }
+  Errors trouble() const { return wrong_ ? Errors{*wrong_} : Errors{}; }
 
   /// How far the next modules have grown.
   void set_growth(const Unfolding& growth) {
@@ -361,7 +362,7 @@ class Turtle {
   Seed seed_;
   Evaluation at_;
   Expander expander_{grammar_, grammar_.interpretation};
-  const Production* wrong_ = nullptr;
+  std::optional<Error> wrong_;
   TurtleState now_;
   std::vector<TurtleState> stack_;
   std::vector<DVec3> vertices_;           // of all open polygons

@@ -25,16 +25,18 @@ Weather weather_of(double wind, double snow, const Dates& dates, Seed seed, int 
   return {Vec3(blows * toward.x, 0, blows * toward.z), snow * weather.child(2).range(0.5, 1.0)};
 }
 
-std::vector<std::uint8_t> felled_in(const Dates& dates, int year, std::span<const std::string> names,
-                                    std::span<const std::uint8_t> stands, Seed seed) {
-  std::vector<std::uint8_t> felled(names.size());
+std::vector<std::uint8_t> felled_in(const Dates& dates, int year, std::span<const FellingTree> trees,
+                                    Seed seed) {
+  std::vector<std::uint8_t> felled(trees.size());
   for (std::size_t e = 0; e < dates.events.size(); ++e) {
     const auto& [when, event] = dates.events[e];
     if (when != year || !event.cut) continue;
     std::vector<std::pair<std::uint64_t, std::size_t>> drawn;
-    for (std::size_t i = 0; i < names.size(); ++i)
-      if (stands[i] && !felled[i] && concerns(event.cut->entry, names[i]))
-        drawn.emplace_back(seed.child("cut", e).child(i).bits(), i);
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+      if (!trees[i].stands || felled[i] || !concerns(event.cut->entry, trees[i].name)) continue;
+      Seed lot = event.cut->by_own ? trees[i].seed.child("cut", e) : seed.child("cut", e).child(i);
+      drawn.emplace_back(lot.bits(), i);
+    }
     std::sort(drawn.begin(), drawn.end());
     drawn.resize(static_cast<std::size_t>(std::lround(event.cut->share * static_cast<double>(drawn.size()))));
     for (auto [_, i] : drawn) felled[i] = true;

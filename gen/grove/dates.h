@@ -29,9 +29,16 @@ struct Dates {
 /// and strength of ordinary years do not depend on events.
 Weather weather_of(double wind, double snow, const Dates& dates, Seed seed, int year);
 
-/// Of trees of these names, those that are felled in a year. `stands`: whether a tree can be.
-std::vector<std::uint8_t> felled_in(const Dates& dates, int year, std::span<const std::string> names,
-                                    std::span<const std::uint8_t> stands, Seed seed);
+/// A tree that may be felled: its name, its own seed, and whether it stands.
+struct FellingTree {
+  std::string name;
+  Seed seed;
+  bool stands = true;
+};
+
+/// Of these trees, those that are felled in a year.
+std::vector<std::uint8_t> felled_in(const Dates& dates, int year, std::span<const FellingTree> trees,
+                                    Seed seed);
 
 /// The height under which a tree of that name loses its limbs in a year, metres; 0: none are taken off.
 double pruned_in(const Dates& dates, int year, const std::string& name);

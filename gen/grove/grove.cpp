@@ -193,13 +193,11 @@ void live_a_year(Tree& tree, const LightField& field, const GroveOptions& option
 /// Fells trees as the events of a year say.
 void fell(std::vector<Tree>& trees, const GroveOptions& options, int year) {
   if (options.dates.events.empty()) return;
-  std::vector<std::string> names;
-  std::vector<std::uint8_t> stands;
-  for (const Tree& tree : trees) {
-    names.push_back(tree.seedling->name);
-    stands.push_back(tree.living.size() > 1 && !tree.uprooting.happens());
-  }
-  std::vector<std::uint8_t> felled = felled_in(options.dates, year, names, stands, options.seed);
+  std::vector<FellingTree> may_fall;
+  for (const Tree& tree : trees)
+    may_fall.push_back(
+        {tree.seedling->name, tree.seedling->seed, tree.living.size() > 1 && !tree.uprooting.happens()});
+  std::vector<std::uint8_t> felled = felled_in(options.dates, year, may_fall, options.seed);
   for (std::size_t i = 0; i < trees.size(); ++i) {
     if (!felled[i]) continue;
     Tree& tree = trees[i];

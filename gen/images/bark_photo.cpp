@@ -126,8 +126,8 @@ Light resized_rows(const Light& light, int width) {
 
 }  // namespace
 
-Result<Raster> read_bark_photo(std::string_view png) {
-  Result<Raster> read = read_photo(png);
+Result<Raster> read_bark_photo(std::string_view bytes) {
+  Result<Raster> read = read_photo(bytes);
   if (!read) return read;
   Light light = light_of(*read);
   DVec3 mean = mean_of(light);

@@ -9,8 +9,8 @@ namespace frond {
 
 /// A photograph of bark as a colour picture that tiles in both directions: what is brighter or darker over a
 /// large part of it is evened out, and its edges fade into what lies half a picture away. Its mean colour
-/// stays. Reads a PNG file of 16 to 4096 pixels a side.
-Result<Raster> read_bark_photo(std::string_view png);
+/// stays. Reads a picture as read_photo() does.
+Result<Raster> read_bark_photo(std::string_view bytes);
 
 /// A tiling picture in another size.
 Raster resized_tile(const Raster& tile, int width, int height);

@@ -12,7 +12,7 @@ inline constexpr Choice<Axis> kAxes[] = {{"x", Axis::x, "seen from the side: z t
                                          {"y", Axis::y, "seen from above: x to the right, z down"},
                                          {"z", Axis::z, "seen from the front: x to the right, y up"}};
 
-/// Takes the brightness of a PNG file; transparent pixels are dark. A picture that is white all over is as
+/// Takes the brightness of a picture; transparent pixels are dark. A picture that is white all over is as
 /// none.
 Errors load_mask(const NamedFile& file, Mask& mask);
 
@@ -31,8 +31,8 @@ void describe(Visitor& v, Mask& m) {
   v.shorthand("file");
   v.file(
       "file", m.file, [&](const NamedFile& file) { return load_mask(file, m); },
-      "A PNG, named as seen from the preset's folder, whose brightness scales what the map is for: none "
-      "where it is black, all where it is white");
+      "A picture (PNG, JPEG or WebP), named as seen from the preset's folder, whose brightness scales what "
+      "the map is for: none where it is black, all where it is white");
   describe_projection(v, m);
 }
 

@@ -175,11 +175,11 @@ Vec3 LeafPhoto::at(Vec2 p, double pixel) const {
   return share > 0 ? glm::mix(of(fine), of(fine + 1), share) : of(fine);
 }
 
-Result<LeafPhoto> read_leaf_photo(std::string_view png) {
-  Result<Raster> read = read_photo(png);
+Result<LeafPhoto> read_leaf_photo(std::string_view bytes) {
+  Result<Raster> read = read_photo(bytes);
   if (!read) return read.errors();
   constexpr const char* kExpected =
-      "; expected a leaf that was cut out, with nothing but transparency around it";
+      "; expected a leaf that was cut out, with nothing but transparency around it, as a PNG or WebP";
   bool open = false;
   for (std::size_t i = 3; read->channels == 4 && i < read->data.size(); i += 4)
     open |= read->data[i] < kOpaque;

@@ -22,8 +22,7 @@ struct LeafPhoto {
   Vec3 at(Vec2 p, double pixel) const;
 };
 
-/// Reads the PNG file of such a photograph, with transparency and 16 to 4096 pixels a side. An error says
-/// what was expected.
-Result<LeafPhoto> read_leaf_photo(std::string_view png);
+/// Reads such a photograph, with transparency, as read_photo() does. An error says what was expected.
+Result<LeafPhoto> read_leaf_photo(std::string_view bytes);
 
 }  // namespace frond

@@ -3,15 +3,16 @@
 #include <utility>
 
 #include "images/describe_mask.h"
-#include "images/raster.h"
+#include "images/read_picture.h"
 
 namespace frond {
 
 Errors load_mask(const NamedFile& file, Mask& mask) {
-  Result<Raster> picture = read_png(file.text);
-  if (!picture) return {{file.path.string(), picture.errors().front().what + "; expected a PNG file"}};
+  Result<Raster> picture = read_picture(file.text);
+  if (!picture) return {{file.path.string(), picture.errors().front().what}};
   mask.width = picture->width, mask.height = picture->height;
   std::vector<float> grey;
+  grey.reserve(static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height));
   for (int y = 0; y < mask.height; ++y)
     for (int x = 0; x < mask.width; ++x) {
       auto part = [&](int channel) { return static_cast<float>(picture->at(x, y, channel)) / 255; };

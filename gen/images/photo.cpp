@@ -6,6 +6,7 @@
 #include <array>
 
 #include "core/linear.h"
+#include "images/read_picture.h"
 
 namespace frond {
 
@@ -15,8 +16,8 @@ constexpr int kLeastSide = 16, kMostSide = 4096;
 
 }  // namespace
 
-Result<Raster> read_photo(std::string_view png) {
-  Result<Raster> read = read_png(png);
+Result<Raster> read_photo(std::string_view bytes) {
+  Result<Raster> read = read_picture(bytes);
   if (!read) return read;
   auto [least, most] = std::minmax(read->width, read->height);
   if (least >= kLeastSide && most <= kMostSide) return read;

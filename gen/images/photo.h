@@ -8,8 +8,8 @@
 
 namespace frond {
 
-/// Reads a PNG file that a person made of a photograph: 16 to 4096 pixels a side.
-Result<Raster> read_photo(std::string_view png);
+/// Reads a photograph, see read_picture(): 16 to 4096 pixels a side.
+Result<Raster> read_photo(std::string_view bytes);
 
 /// The linear brightness of a channel of a picture.
 float linear(std::uint8_t channel);

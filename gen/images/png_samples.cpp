@@ -1,76 +1,13 @@
 #include "images/png_samples.h"
 
-#include <png.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <cmath>
-#include <csetjmp>
-#include <cstring>
+
+#include "images/png_rows.h"
 
 namespace frond {
-
-namespace {
-
-/// What libpng reads from and writes to.
-struct PngBytes {
-  std::string_view in;
-  std::string out;
-  std::string fault;
-};
-
-void png_read_bytes(png_structp png, png_bytep data, png_size_t size) {
-  auto* bytes = static_cast<PngBytes*>(png_get_io_ptr(png));
-  if (size > bytes->in.size()) png_error(png, "it is cut short");
-  std::memcpy(data, bytes->in.data(), size);
-  bytes->in.remove_prefix(size);
-}
-
-void png_write_bytes(png_structp png, png_bytep data, png_size_t size) {
-  static_cast<PngBytes*>(png_get_io_ptr(png))->out.append(reinterpret_cast<const char*>(data), size);
-}
-
-[[noreturn]] void png_fail(png_structp png, png_const_charp what) {
-  static_cast<PngBytes*>(png_get_error_ptr(png))->fault = what;
-  png_longjmp(png, 1);
-}
-
-void png_ignore(png_structp, png_const_charp) {}
-
-void read_rows(png_structp png, png_infop info, PngSamples& samples) {
-  png_read_info(png, info);
-  if (png_get_color_type(png, info) == PNG_COLOR_TYPE_PALETTE || png_get_bit_depth(png, info) < 8)
-    png_error(png, "its samples are none of 8 or 16 bits");
-  samples.width = static_cast<int>(png_get_image_width(png, info));
-  samples.height = static_cast<int>(png_get_image_height(png, info));
-  samples.channels = png_get_channels(png, info);
-  samples.bits = png_get_bit_depth(png, info);
-  png_fixed_point gamma = 0;
-  png_get_gAMA_fixed(png, info, &gamma);
-  samples.gamma = gamma;
-  int passes = png_set_interlace_handling(png);
-  png_read_update_info(png, info);
-  samples.data.resize(samples.row() * static_cast<std::size_t>(samples.height));
-  for (int pass = 0; pass < passes; ++pass)
-    for (int y = 0; y < samples.height; ++y)
-      png_read_row(png, samples.data.data() + samples.row() * static_cast<std::size_t>(y), nullptr);
-  png_read_end(png, nullptr);
-}
-
-void write_rows(png_structp png, png_infop info, const PngSamples& samples) {
-  constexpr int kTypes[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
-                            PNG_COLOR_TYPE_RGB_ALPHA};
-  png_set_IHDR(png, info, static_cast<png_uint_32>(samples.width), static_cast<png_uint_32>(samples.height),
-               samples.bits, kTypes[samples.channels - 1], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-               PNG_FILTER_TYPE_DEFAULT);
-  if (samples.gamma > 0) png_set_gAMA_fixed(png, info, samples.gamma);
-  png_write_info(png, info);
-  for (int y = 0; y < samples.height; ++y)
-    png_write_row(png, samples.data.data() + samples.row() * static_cast<std::size_t>(y));
-  png_write_end(png, nullptr);
-}
-
-}  // namespace
 
 void PngSamples::set16(std::size_t i, double share) {
   auto value = static_cast<unsigned>(std::lround(std::clamp(share, 0.0, 1.0) * 65535));
@@ -79,30 +16,15 @@ void PngSamples::set16(std::size_t i, double share) {
 }
 
 Result<PngSamples> read_samples(std::string_view png) {
-  PngBytes bytes{png, {}, {}};
-  PngSamples samples;
-  png_structp reader = png_create_read_struct(PNG_LIBPNG_VER_STRING, &bytes, png_fail, png_ignore);
-  png_infop info = png_create_info_struct(reader);
-  if (setjmp(png_jmpbuf(reader)) == 0) {
-    png_set_read_fn(reader, &bytes, png_read_bytes);
-    read_rows(reader, info, samples);
-  }
-  png_destroy_read_struct(&reader, &info, nullptr);
-  if (!bytes.fault.empty()) return Error{"", "no PNG: " + bytes.fault};
-  return samples;
+  Result<PngRows> rows = PngRows::open(png);
+  if (!rows) return rows.errors();
+  return rows->next(rows->height());
 }
 
 Result<std::string> samples_text(const PngSamples& samples) {
-  PngBytes bytes;
-  png_structp writer = png_create_write_struct(PNG_LIBPNG_VER_STRING, &bytes, png_fail, png_ignore);
-  png_infop info = png_create_info_struct(writer);
-  if (setjmp(png_jmpbuf(writer)) == 0) {
-    png_set_write_fn(writer, &bytes, png_write_bytes, nullptr);
-    write_rows(writer, info, samples);
-  }
-  png_destroy_write_struct(&writer, &info);
-  if (!bytes.fault.empty()) return Error{"", "PNG: " + bytes.fault};
-  return std::move(bytes.out);
+  PngWriter writer(samples, Z_DEFAULT_COMPRESSION);
+  writer.add(samples);
+  return writer.take();
 }
 
 PngSamples cut(const PngSamples& whole, int x, int y, int width, int height) {

@@ -25,7 +25,7 @@ struct PngSamples {
   void set16(std::size_t i, double share);
 };
 
-/// Reads a PNG file without a table of colours.
+/// Reads a PNG file without a table of colours, of 65536 pixels a side at most.
 Result<PngSamples> read_samples(std::string_view png);
 /// The bytes of a PNG file; equal samples give equal bytes.
 Result<std::string> samples_text(const PngSamples& samples);

@@ -1,5 +1,6 @@
 #include "images/raster.h"
 
+#include <fmt/format.h>
 #include <png.h>
 
 #include <algorithm>
@@ -11,6 +12,8 @@ namespace {
 
 constexpr png_uint_32 kLongestSide = 16384;
 constexpr std::uint64_t kMostPixels = 100'000'000;
+constexpr png_uint_32 kLongestLight = 32768;  // of pictures of our own, of which one may be a raw still
+constexpr std::uint64_t kMostLight = std::uint64_t{16384} * 16384;
 
 png_uint_32 format_of(int channels) {
   return channels == 1 ? PNG_FORMAT_GRAY : channels == 3 ? PNG_FORMAT_RGB : PNG_FORMAT_RGBA;
@@ -36,16 +39,25 @@ Result<std::string> png_text(const Raster& raster) {
 
 namespace {
 
+/// What libpng holds while a file is read, which goes with this, whatever is thrown.
+struct ReadImage {
+  png_image image{};
+
+  ReadImage() = default;
+  ~ReadImage() { png_image_free(&image); }
+  ReadImage(const ReadImage&) = delete;
+  ReadImage& operator=(const ReadImage&) = delete;
+};
+
 /// Begins to read a file and looks at its size.
-Errors begin(png_image& image, std::string_view bytes) {
+Errors begin(png_image& image, std::string_view bytes, png_uint_32 longest, std::uint64_t most) {
   image.version = PNG_IMAGE_VERSION;
   if (!png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()))
     return {Error{"", std::string("no PNG: ") + image.message}};
-  if (image.width <= kLongestSide && image.height <= kLongestSide &&
-      std::uint64_t{image.width} * image.height <= kMostPixels)
+  if (image.width <= longest && image.height <= longest && std::uint64_t{image.width} * image.height <= most)
     return {};
-  png_image_free(&image);
-  return {Error{"", "the picture is larger than 16384 pixels a side, or 100 million in all"}};
+  return {Error{"", fmt::format("the picture is larger than {} pixels a side, or {} million in all", longest,
+                                most / 1'000'000)}};
 }
 
 /// Reads the rest, as `image.format` says.
@@ -56,9 +68,16 @@ Errors finish(png_image& image, void* data) {
 
 }  // namespace
 
+Result<std::array<int, 2>> png_size(std::string_view bytes) {
+  ReadImage read;
+  if (Errors errors = begin(read.image, bytes, UINT32_MAX, UINT64_MAX); !errors.empty()) return errors;
+  return std::array{static_cast<int>(read.image.width), static_cast<int>(read.image.height)};
+}
+
 Result<Raster> read_png(std::string_view bytes) {
-  png_image image{};
-  if (Errors errors = begin(image, bytes); !errors.empty()) return errors;
+  ReadImage read;
+  png_image& image = read.image;
+  if (Errors errors = begin(image, bytes, kLongestSide, kMostPixels); !errors.empty()) return errors;
   bool color = image.format & PNG_FORMAT_FLAG_COLOR, alpha = image.format & PNG_FORMAT_FLAG_ALPHA;
   int channels = alpha ? 4 : color ? 3 : 1;
   image.format = format_of(channels);
@@ -68,8 +87,9 @@ Result<Raster> read_png(std::string_view bytes) {
 }
 
 Result<LinearRaster> read_linear_png(std::string_view bytes, bool opacity) {
-  png_image image{};
-  if (Errors errors = begin(image, bytes); !errors.empty()) return errors;
+  ReadImage read;
+  png_image& image = read.image;
+  if (Errors errors = begin(image, bytes, kLongestLight, kMostLight); !errors.empty()) return errors;
   bool alpha = opacity && image.format & PNG_FORMAT_FLAG_ALPHA;
   image.format = alpha ? PNG_FORMAT_LINEAR_RGB_ALPHA : PNG_FORMAT_LINEAR_RGB;
   LinearRaster raster{static_cast<int>(image.width), static_cast<int>(image.height), alpha ? 4 : 3, {}};

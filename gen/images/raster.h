@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -21,7 +22,8 @@ struct Raster {
                 static_cast<std::size_t>(of));
   }
   std::size_t index(int x, int y, int c = 0) const {
-    return static_cast<std::size_t>((y * width + x) * channels + c);
+    auto whole = [](int number) { return static_cast<std::size_t>(number); };
+    return (whole(y) * whole(width) + whole(x)) * whole(channels) + whole(c);
   }
   std::uint8_t at(int x, int y, int c = 0) const { return data[index(x, y, c)]; }
 };
@@ -42,8 +44,11 @@ struct Grid {
   Grid(int wide, int high) : width(wide), height(high) {
     data.resize(static_cast<std::size_t>(wide) * static_cast<std::size_t>(high));
   }
-  float& at(int x, int y) { return data[static_cast<std::size_t>(y * width + x)]; }
-  float at(int x, int y) const { return data[static_cast<std::size_t>(y * width + x)]; }
+  float& at(int x, int y) { return data[index(x, y)]; }
+  float at(int x, int y) const { return data[index(x, y)]; }
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  }
   /// Wraps round at the edges.
   float wrapped(int x, int y) const {
     return at((x % width + width) % width, (y % height + height) % height);
@@ -56,9 +61,14 @@ std::uint8_t to_byte(double value);
 /// The bytes of a PNG file. Equal pictures give equal bytes.
 Result<std::string> png_text(const Raster& raster);
 
-/// Reads a PNG file of any kind as grey, colour or colour with opacity; at most 16384 pixels a side.
+/// Width and height of a PNG file, as its head says.
+Result<std::array<int, 2>> png_size(std::string_view bytes);
+
+/// Reads a PNG file of any kind as grey, colour or colour with opacity; at most 16384 pixels
+/// a side and 100 million in all, as it is held whole.
 Result<Raster> read_png(std::string_view bytes);
-/// `opacity`: with that of the file, where it has one; else what is behind it is black.
+/// The same as light; of up to 16384 pixels a side, or as many in all. `opacity`: with that of the file,
+/// where it has one; else what is behind it is black.
 Result<LinearRaster> read_linear_png(std::string_view bytes, bool opacity = false);
 
 }  // namespace frond

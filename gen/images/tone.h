@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -7,6 +8,9 @@
 #include "core/result.h"
 
 namespace frond {
+
+/// Pixels of pictures that are held whole; larger ones are made in bands.
+inline constexpr std::size_t kHeldPixels = 40'000'000;
 
 /// Tone mapping as on film: a curve over each channel.
 struct Tone {
@@ -21,7 +25,9 @@ double toned(double light, const Tone& tone);
 
 /// Converts a PNG file of 16 bits per channel, as POV-Ray writes it, to 8 bits, or 16, with this tone.
 /// Several of equal size are averaged in linear light, as exposures of one frame; opacity is kept, and
-/// colours are averaged by it.
-Result<std::string> develop(std::span<const std::string> pngs, const Tone& tone, int depth = 8);
+/// colours are averaged by it. Pictures of more than `held` pixels are made a band at a time and must not be
+/// interlaced.
+Result<std::string> develop(std::span<const std::string> pngs, const Tone& tone, int depth = 8,
+                            std::size_t held = kHeldPixels);
 
 }  // namespace frond

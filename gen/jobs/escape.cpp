@@ -1,5 +1,9 @@
 #include "jobs/escape.h"
 
+#include <algorithm>
+
+#include "core/utf8.h"
+
 namespace frond {
 
 std::string shell_quoted(std::string_view text) {
@@ -36,9 +40,14 @@ std::string ninja_value(std::string_view text) {
 std::string json_quoted(std::string_view text) {
   constexpr std::string_view kHex = "0123456789abcdef";
   std::string quoted = "\"";
-  for (char c : text) {
+  for (std::size_t size = 0; !text.empty(); text.remove_prefix(size)) {
+    std::string_view character = text.substr(0, character_size(text.substr(0, 4)));
+    size = std::max<std::size_t>(character.size(), 1);
+    char c = text[0];
     unsigned char byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
+    if (character.empty()) {
+      quoted += "\\ufffd";
+    } else if (c == '"' || c == '\\') {
       quoted += '\\';
       quoted += c;
     } else if (c == '\n') {
@@ -48,7 +57,7 @@ std::string json_quoted(std::string_view text) {
       quoted += kHex[byte >> 4];
       quoted += kHex[byte & 15];
     } else {
-      quoted += c;
+      quoted += character;
     }
   }
   return quoted += '"';

@@ -15,7 +15,7 @@ std::string ninja_path(std::string_view text);
 /// A text as the value of a variable of build.ninja. A line break becomes a blank.
 std::string ninja_value(std::string_view text);
 
-/// A text as a JSON string with its quotes. UTF-8 is kept.
+/// A text as a JSON string with its quotes. UTF-8 is kept; bytes that are none become U+FFFD.
 std::string json_quoted(std::string_view text);
 
 }  // namespace frond

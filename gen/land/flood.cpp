@@ -1,4 +1,5 @@
 #include "land/flood.h"
+#include "core/wanted.h"
 
 #include <algorithm>
 #include <functional>
@@ -24,9 +25,11 @@ Flood priority_flood(const GroundGrid& ground) {
       std::size_t k = ground.index(column, row);
       if (rim || (!ground.drain.empty() && ground.drain[k])) reach(k, k, ground.height[k]);
     }
-  while (!open.empty()) {
+  constexpr std::size_t kRound = 4096;
+  for (std::size_t done = 0; !open.empty();) {
     auto [level, at] = open.top();
     open.pop();
+    if (++done % kRound == 0) stay_wanted();
     each_beside(ground, at, [&](std::size_t k) { reach(k, at, level); });
   }
   return flood;

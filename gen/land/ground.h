@@ -20,14 +20,25 @@ struct Ground {
 /// Height of the floor at (x, z).
 double ground_height(const Ground& ground, double x, double z);
 
-/// The floor as a round mesh about `centre` (x, z): fine in the middle, coarse toward `radius`, where the
-/// relief fades out. `rings` (at least 2) sets the resolution.
-Surface ground_surface(const Ground& ground, Vec2 centre, double radius, int rings);
+/// A round mesh of the ground.
+struct GroundDisc {
+  double radius = 0;
+  int rings = 2;      ///< within the radius, at least 2: fine in the middle, coarse toward it
+  double beyond = 0;  ///< metres from the middle to which more of them follow, each as much wider than the
+                      ///< last; less than the radius: none
+
+  /// So much larger as to reach `reach` metres: with more rings in proportion, up to `most` metres, so that
+  /// what is near stays as fine; beyond that by few more, however far it is.
+  GroundDisc reaching(double reach, double most) const;
+};
+
+/// The floor as a round mesh about `centre` (x, z). The relief fades out toward its edge.
+Surface ground_surface(const Ground& ground, Vec2 centre, const GroundDisc& disc);
 
 /// The same for any ground with `height` at (x, z).
-Surface ground_surface(const std::function<double(Vec2)>& height, Vec2 centre, double radius, int rings);
+Surface ground_surface(const std::function<double(Vec2)>& height, Vec2 centre, const GroundDisc& disc);
 
-/// Heights of a mesh without overhangs: fast within 256 m of the origin, slow beyond.
+/// Heights of a mesh without overhangs. As fast far from the origin as near it.
 class Heights {
  public:
   Heights() = default;
@@ -43,7 +54,8 @@ class Heights {
  private:
   std::function<double(double, double)> known_;
   std::vector<std::array<Vec3, 3>> triangles_;
-  // Triangles that touch each square, row by row: squares of 1 m about the origin, and of 8 m farther out
+  // Triangles that touch each square, row by row: those of the finest grid, about the origin; and those of
+  // the grids round it, one after the other, each of wider squares, until all of the mesh is within
   std::array<std::vector<std::vector<std::uint32_t>>, 2> cells_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "core/noise.h"
 #include "core/polygon.h"
+#include "core/spline.h"
 #include "foliage/organ_shapes.h"
 #include "rocks/stone.h"
 
@@ -15,7 +16,7 @@ namespace {
 constexpr double kFar = 1e6;
 constexpr int kPieces = 12;  // of the path from point to point
 
-/// A point of the Catmull-Rom curve through `points`, between i and i + 1.
+/// A point of the smooth curve through `points`, between i and i + 1.
 Vec2 path_point(const std::vector<Vec2>& points, std::size_t i, float t) {
   auto at = [&](std::ptrdiff_t k) {
     return points[static_cast<std::size_t>(
@@ -23,6 +24,11 @@ Vec2 path_point(const std::vector<Vec2>& points, std::size_t i, float t) {
   };
   auto k = static_cast<std::ptrdiff_t>(i);
   Vec2 a = at(k - 1), b = at(k), c = at(k + 1), d = at(k + 2);
+  Vec2 from_even = (c - a) * 0.5f, to_even = (d - b) * 0.5f;
+  Vec2 leave = i > 0 ? spline_slopes(a, b, c).out : from_even;
+  Vec2 arrive = i + 2 < points.size() ? spline_slopes(b, c, d).in : to_even;
+  if (leave != from_even || arrive != to_even)
+    return cubic_place(b, b + leave / 3.0f, c - arrive / 3.0f, c, t);
   return 0.5f * (2.0f * b + (c - a) * t + (2.0f * a - 5.0f * b + 4.0f * c - d) * (t * t) +
                  (3.0f * b - a - 3.0f * c + d) * (t * t * t));
 }

@@ -94,7 +94,7 @@ std::vector<Spot> scatter(Vec2 centre, double inner, double outer, float radius,
       Vec2 at = centre + Vec2(static_cast<float>(distance * std::cos(angle)),
                               static_cast<float>(distance * std::sin(angle)));
       if (!taken.free(at, radius)) continue;
-      spots.push_back({at, radius});
+      spots.push_back({at, radius, static_cast<std::uint32_t>(i)});
       taken.take(spots.back());
       missed = -1;
       break;

@@ -12,6 +12,7 @@ namespace frond {
 struct Spot {
   Vec2 at{0};
   float radius = 0;
+  std::uint32_t attempt = 0;  ///< of scatter(): which of its attempts found it
 };
 
 /// Occupied spots by position, in an adaptive quadtree, so that neither the size of the land nor of the spots

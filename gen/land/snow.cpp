@@ -193,7 +193,7 @@ float hollow(const std::vector<SnowTrunk>& trunks, Vec2 at) {
 }  // namespace
 
 SnowSheet snow_on_ground(const SnowLand& land, const Overhead& bodies, const SnowWind& wind, Seed seed) {
-  Surface mesh = ground_surface(land.height, land.center, land.radius, land.rings);
+  Surface mesh = ground_surface(land.height, land.center, {land.radius, land.rings});
   SquareField field{land.center - 12.0f, 0.08f, 301, {}};
   field.value.resize(static_cast<std::size_t>(field.side) * static_cast<std::size_t>(field.side));
   parallel_for(static_cast<std::size_t>(field.side), [&](std::size_t r) {

@@ -18,7 +18,7 @@ struct Surface {
   std::vector<std::array<std::uint32_t, 3>> triangle;
   std::vector<Vec2> uv;  ///< texture coordinates of each vertex; may be empty
   /// For each corner of each triangle what masks find there: texture coordinates u and v (v upward) and a
-  /// grey 0..1, NaN where it has none; may be empty.
+  /// grey 0..1, NaN where it has none, below 0 where nothing may creep (model/barred.h); may be empty.
   std::vector<std::array<Vec3, 3>> paint{};
 
   /// Checks all invariants: one line for the first violation, empty if there is none.

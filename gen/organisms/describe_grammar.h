@@ -199,8 +199,9 @@ template <class Visitor>
 void describe(Visitor& v, GrammarText& g) {
   describe_grammar(
       v, g, [&](const NamedFile& file) { return load_grammar(file, g); },
-      "A grammar of LParser (.ls) or Houdini (.txt), named as seen from this file's folder; what else is "
-      "given here counts in place of what stands there");
+      "A grammar of LParser, Houdini or Fractint or a skeleton as SWC, named as seen from this file's "
+      "folder; "
+      "what else is given here counts in place of what stands there");
 }
 
 }  // namespace frond

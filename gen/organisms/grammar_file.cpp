@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "grammar/import.h"
+#include "grammar/kind.h"
 #include "organisms/describe_grammar.h"
 #include "preset/fault.h"
 #include "preset/json.h"
@@ -10,11 +11,15 @@
 
 namespace frond {
 
-Result<GrammarText> read_grammar(std::string_view text, const std::string& path, const Assets& files) {
-  if (path.ends_with(".l"))
-    return Error{"", "a model of cpfg is no grammar of ours; expected .json, .ls or .txt"};
-  if (!path.ends_with(".json")) {
-    Result<GrammarText> grammar = import_grammar(path, text);
+Result<GrammarText> read_grammar(std::string_view text, const std::string& path, const Assets& files,
+                                 std::string_view system) {
+  GrammarKind kind = grammar_kind(path, text);
+  if (kind == GrammarKind::cpfg)
+    return Error{"",
+                 "a model of cpfg is no grammar of ours; expected JSON, or a grammar of LParser, Houdini or "
+                 "Fractint"};
+  if (kind != GrammarKind::preset) {
+    Result<GrammarText> grammar = import_grammar(path, text, system);
     if (grammar) grammar->where = path;
     return grammar;
   }
@@ -27,9 +32,10 @@ Result<GrammarText> read_grammar(std::string_view text, const std::string& path,
 }
 
 Errors load_grammar(const NamedFile& file, GrammarText& grammar) {
-  std::string ending = file.path.extension().string();
-  if (ending != ".ls" && ending != ".txt")
-    return {Error{"", "a grammar of another program is an .ls of LParser or a .txt of Houdini"}};
+  GrammarKind kind = grammar_kind(file.path.string(), file.text);
+  if (kind == GrammarKind::cpfg || kind == GrammarKind::preset)
+    return {Error{
+        "", "a grammar of another program is one of LParser, Houdini or Fractint, or a skeleton as SWC"}};
   Result<GrammarText> import = import_grammar(file.path.string(), file.text);
   if (!import) {
     // What stands in a file that a preset names is not shown.

@@ -8,9 +8,10 @@
 
 namespace frond {
 
-/// Reads the text of a grammar: JSON where the name ends so, else another tool's (grammar/import.h). `path`
-/// is for messages; `files` finds the files that it names.
-Result<GrammarText> read_grammar(std::string_view text, const std::string& path, const Assets& files);
+/// Reads the text of a grammar: JSON, or another tool's (grammar/import.h), as what is in it says. `path` is
+/// for messages; `files` finds the files that it names; `system` is which of several L-systems in a file.
+Result<GrammarText> read_grammar(std::string_view text, const std::string& path, const Assets& files,
+                                 std::string_view system = {});
 
 /// A mistake in a rule knows the rule; here it learns the file.
 Errors in_file(Errors errors, const std::string& path);

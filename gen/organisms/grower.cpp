@@ -34,17 +34,19 @@ Placement placement_of(const Organism& organism, const Planting& planting) {
 }
 
 /// Round the bodies that come near to a model at its place, in its own space; empty where none does.
-Detour detour_near(const Model& model, const World& world, const Placement& p) {
+Result<Detour> detour_near(const Model& model, const World& world, const Placement& p) {
   Bounds box;
   for (Vec3 at : model.skeleton.position) box.take(p.foot + p.turn * (at * p.size), kNear);
-  std::shared_ptr<const Obstacles> obstacles = world.obstacles();
-  if (!obstacles->near(box)) return {};
-  return [obstacles, p](Vec3 from, Vec3 to, float clearance) -> std::optional<Vec3> {
+  Result<std::shared_ptr<const Obstacles>> bodies = world.obstacles();
+  if (!bodies) return bodies.errors();
+  if (!(*bodies)->near(box)) return Detour();
+  Detour detour = [obstacles = *bodies, p](Vec3 from, Vec3 to, float clearance) -> std::optional<Vec3> {
     Vec3 end = p.foot + p.turn * (to * p.size);
     std::optional<Vec3> way = obstacles->way(p.foot + p.turn * (from * p.size), end, clearance * p.size);
     if (!way || *way == end) return way ? std::optional(to) : way;
     return (glm::conjugate(p.turn) * (*way - p.foot)) / p.size;
   };
+  return detour;
 }
 
 void follow_ground(Solids& solids, const World& world, float foot_height) {
@@ -106,8 +108,11 @@ std::vector<Result<Specimen>> LoneGrower::grow(std::span<const Bed> beds, const 
     if (!model) return model.errors();
     if (model->solids.follow_ground) placement.turn = yaw_of(organism, planting);
     if (organism.place.raise <= 0) placement.foot.y -= grower.copy_depth(*model) * placement.size;
-    if (grower.stage() == GrowthStage::round_bodies)
-      if (Detour detour = detour_near(*model, world, placement)) model = grower.grow_round(detour, seed);
+    if (grower.stage() == GrowthStage::round_bodies) {
+      Result<Detour> detour = detour_near(*model, world, placement);
+      if (!detour) return detour.errors();
+      if (*detour) model = grower.grow_round(*detour, seed);
+    }
     if (!model) return model.errors();
     Specimen specimen{{organism.name, bed.entry}, std::move(*model)};
     specimen.placement = placement;

@@ -25,7 +25,9 @@ FROND_KINDS(FROND_DECLARE)
 /// Their table.
 std::span<const Kind<Organism>> organism_kinds();
 
-/// The row of a kind, from its grower class with described parameters, see organisms/grower.h.
+/// The row of a kind, from its grower class with described parameters, see organisms/grower.h. Its
+/// `kLeading`, if it has one, names the dozen properties that shape it most, as paths: the studio shows them
+/// first.
 template <class G>
 Kind<Organism> make_grower(std::string_view name, std::string_view doc) {
   return {name, doc,
@@ -37,6 +39,7 @@ Kind<Organism> make_grower(std::string_view name, std::string_view doc) {
           [](SchemaWriter& writer) {
             G grower;
             describe(writer, grower.params);
+            if constexpr (requires { G::kLeading; }) writer.leading(G::kLeading);
           }};
 }
 
@@ -55,10 +58,10 @@ std::vector<std::vector<Thing>> by_kind(const std::vector<Thing>& things, const 
   return lists;
 }
 
-/// The grower of an organism whose kind is known.
+/// The grower of an organism whose kind is known; std::bad_cast, our own mistake, where it is of another.
 template <class G>
 const G& grower_of(const Organism& organism) {
-  return static_cast<const G&>(*organism.grower);
+  return dynamic_cast<const G&>(*organism.grower);
 }
 
 }  // namespace frond

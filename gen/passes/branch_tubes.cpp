@@ -24,7 +24,7 @@ Result<BranchTubes> BranchTubes::of(const DrawnBranches& branches) {
   } else {
     tubes.add_cones();
   }
-  rtcCommitScene(tubes.scene_.get());
+  commit_scene(tubes.scene_.get());
   return tubes;
 }
 

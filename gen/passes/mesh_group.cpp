@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/vec.h"
+#include "core/wanted.h"
 
 namespace frond {
 
@@ -11,6 +12,10 @@ RTCDevice embree_device() {
   // A device that is to use fewer threads would hold all of TBB to as many, as long as it lives.
   static std::unique_ptr<RTCDeviceTy, void (*)(RTCDevice)> device(rtcNewDevice(nullptr), rtcReleaseDevice);
   return device.get();
+}
+
+void commit_scene(RTCScene scene) {
+  isolated([&] { rtcCommitScene(scene); });
 }
 
 void attach_mesh(RTCScene scene, const Surface& surface, unsigned number, bool shadows) {
@@ -41,7 +46,7 @@ void MeshGroup::build(Shadows shadows) {
   rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
   for (std::size_t part = 0; part < surfaces_.size(); ++part)
     attach_mesh(scene_.get(), *surfaces_[part], static_cast<unsigned>(part), shadows == Shadows::thrown);
-  rtcCommitScene(scene_.get());
+  commit_scene(scene_.get());
 }
 
 }  // namespace frond

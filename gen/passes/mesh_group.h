@@ -13,6 +13,10 @@ namespace frond {
 /// The device that all scenes of this process are made by.
 RTCDevice embree_device();
 
+/// Builds a scene's tree. Embree's tasks run in the pool of all others; no thread takes up one of those
+/// meanwhile.
+void commit_scene(RTCScene scene);
+
 /// An Embree scene, released with its owner.
 struct ReleaseScene {
   void operator()(RTCScene scene) const { rtcReleaseScene(scene); }

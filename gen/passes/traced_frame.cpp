@@ -69,7 +69,7 @@ PlacedScene::PlacedScene(std::vector<Placed> placed) : things(std::move(placed))
     rtcAttachGeometryByID(scene.get(), instance, static_cast<unsigned>(i));
     rtcReleaseGeometry(instance);
   }
-  rtcCommitScene(scene.get());
+  commit_scene(scene.get());
 }
 
 const Placed* PlacedScene::find(const Thing& thing) const {

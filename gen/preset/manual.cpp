@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <functional>
 
 #include "core/text.h"
 #include "preset/json.h"
+#include "preset/synonyms.h"
 
 namespace frond {
 namespace {
@@ -153,22 +155,50 @@ std::string lower(std::string_view text) {
   return low;
 }
 
-/// Whether a word, or one that begins with it, stands in a text; both in small letters.
-bool holds_word(std::string_view text, std::string_view word) {
-  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1))
-    if (at == 0 || !std::isalnum(static_cast<unsigned char>(text[at - 1]))) return true;
-  return false;
+/// How well a topic answers a word, 0 not at all; `whole` becomes false where only a longer word does.
+int rank_of(const Topic& topic, std::string_view word, bool& whole) {
+  std::vector<std::string> steps = split(topic.path, '/');
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    if (singular(lower(steps[i])) == singular(word)) return i + 1 == steps.size() ? 100 : 60;
+  std::string choices, path = lower(topic.path);
+  std::ranges::replace(path, '_', ' ');
+  for (const auto& [name, doc] : topic.choices) {
+    if (lower(name) == word) return 50;
+    choices += " " + lower(name + " " + doc);
+  }
+  constexpr int kOfPath[] = {0, 4, 30, 40}, kOfSentence[] = {0, 2, 15, 20}, kOfChoices[] = {0, 1, 8, 10};
+  int in_path = says(path, word), in_sentence = says(lower(topic.sentence), word),
+      in_choices = says(choices, word);
+  whole = whole && std::max({in_path, in_sentence, in_choices}) > 1;
+  return std::max({kOfPath[in_path], kOfSentence[in_sentence], kOfChoices[in_choices]});
 }
 
-bool holds_words(const Topic& topic, std::string_view asked) {
-  std::string text = lower(topic.path + " " + topic.sentence);
-  for (const auto& [name, doc] : topic.choices) text += " " + lower(name + " " + doc);
-  while (!asked.empty()) {
-    std::size_t blank = std::min(asked.find(' '), asked.size());
-    if (!holds_word(text, asked.substr(0, blank))) return false;
-    asked.remove_prefix(std::min(blank + 1, asked.size()));
+/// Topics that say all words, the best first; those that only say longer words with the same beginning count
+/// where there are no others.
+std::vector<Topic> ranked(const std::vector<Topic>& topics, std::string_view asked) {
+  struct Ranked {
+    const Topic* topic;
+    int rank;
+    bool whole;
+  };
+  std::vector<Ranked> found;
+  for (const Topic& topic : topics) {
+    Ranked one{&topic, 0, true};
+    bool all = true;
+    for (const std::string& word : split(asked, ' ')) {
+      if (word.empty()) continue;
+      int rank = rank_of(topic, word, one.whole);
+      all = all && rank > 0;
+      one.rank += rank;
+    }
+    if (all && one.rank > 0) found.push_back(one);
   }
-  return true;
+  if (std::ranges::any_of(found, &Ranked::whole))
+    std::erase_if(found, [](const Ranked& one) { return !one.whole; });
+  std::ranges::stable_sort(found, std::greater<>(), &Ranked::rank);
+  std::vector<Topic> list;
+  for (const Ranked& one : found) list.push_back(*one.topic);
+  return list;
 }
 
 /// Joins those that say the same of several kinds.
@@ -245,8 +275,7 @@ std::vector<Topic> topics_about(const std::vector<Topic>& topics, std::string_vi
       return joined(found);
   }
   std::ranges::replace(low, '/', ' ');
-  take([&](const Topic& t) { return holds_words(t, low); });
-  return joined(found);
+  return joined(ranked(topics, low));
 }
 
 std::string nearest_topic(const std::vector<Topic>& topics, std::string_view asked) {
@@ -272,7 +301,12 @@ std::string nearest_topic(const std::vector<Topic>& topics, std::string_view ask
   for (std::size_t from = 0; from < low.size();) {
     std::size_t to = std::min(low.find(' ', from), low.size());
     std::string word = low.substr(from, to - from);
-    if (topics_about(topics, word).empty()) word = nearest_name(word, names);
+    if (topics_about(topics, word).empty()) {
+      // A slip of the keys, and not a word of another sense that has about the same letters.
+      std::string near(nearest_name(word, names));
+      std::size_t most = word.size() < 6 ? 1 : 2;
+      word = !near.empty() && near[0] == word[0] && edit_distance(near, word) <= most ? near : "";
+    }
     if (word.empty()) return {};
     meant += (meant.empty() ? "" : " ") + word;
     from = to + 1;

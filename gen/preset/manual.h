@@ -24,12 +24,12 @@ struct Topic {
 std::vector<Topic> topics_of(const Value& schema);
 
 /// Search: the topics of that path or of paths that end with it, each followed by its members; otherwise
-/// those whose path or text contains all the words. Equal topics of several kinds are merged, with all of
-/// them in the path: `coral, plant: wave/speed`.
+/// those whose path or text says all the words, the best first. Equal topics of several kinds are merged,
+/// with all of them in the path: `coral, plant: wave/speed`.
 std::vector<Topic> topics_about(const std::vector<Topic>& topics, std::string_view asked);
 
 /// A suggestion for words without result: the nearest path, or the same words with unknown ones replaced by
-/// the nearest names. Empty if nothing is near.
+/// the names that they are slips of the keys for. Empty if nothing is near.
 std::string nearest_topic(const std::vector<Topic>& topics, std::string_view asked);
 
 /// A topic in two lines for a terminal.

@@ -65,6 +65,7 @@ Value SchemaWriter::joined_kinds(const Value& common, const std::vector<KindSche
     Value then = make_object().set("properties", std::move(properties));
     if (const Value* required = kind.schema.find("required")) then.set("required", *required);
     then.set("additionalProperties", make_boolean(false));
+    if (!kind.leading.empty()) then.set("leading", make_texts(kind.leading));
     Value is_kind = make_object().set("kind", make_object().set("const", make_text(kind.name)));
     Value condition =
         make_object().set("properties", is_kind).set("required", make_list({make_text("kind")}));

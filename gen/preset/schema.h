@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -164,6 +165,9 @@ class SchemaWriter {
   void given(std::string_view, bool&) const {}
   void required(std::string_view name) { required_.push_back(name); }
   void shorthand(std::string_view name) { bare_ = name; }
+  /// Of a kind: the properties that shape it most, as paths ("habit/droop"), the most telling first. They
+  /// stand in its part of the schema under "leading", an annotation.
+  void leading(std::span<const std::string_view> paths) { leading_.assign(paths.begin(), paths.end()); }
   template <class... Names>
   void aspect(Aspect, Names...) const {}
 
@@ -194,6 +198,7 @@ class SchemaWriter {
     std::string_view name;
     std::string_view doc;
     Value schema;
+    std::vector<std::string_view> leading;
   };
   static Value joined_kinds(const Value& common, const std::vector<KindSchema>& kinds);
 
@@ -248,6 +253,7 @@ class SchemaWriter {
   Value properties_ = make_object();
   std::vector<std::string_view> required_;
   std::string_view bare_;
+  std::vector<std::string_view> leading_;
 };
 
 template <class T>
@@ -279,7 +285,7 @@ std::vector<SchemaWriter::KindSchema> SchemaWriter::kind_schemas(const Kinds& ki
   for (const auto& kind : kinds) {
     SchemaWriter writer;
     kind.schema(writer);
-    schemas.push_back({kind.name, kind.doc, writer.object_schema()});
+    schemas.push_back({kind.name, kind.doc, writer.object_schema(), writer.leading_});
   }
   return schemas;
 }

@@ -117,11 +117,26 @@ struct ToSun {
     Vec3 to = seen(at);
     pixels.put(to.x, to.y, 0.5f * std::sqrt(area) / texel(), to.z, 0);
   }
+  /// Whether something is nearer to the sun. What is so by little may be the surface itself, which light that
+  /// comes along it sees in steps: then the pixels round it must be nearer as well, which those farther along
+  /// the surface are not.
   bool shaded(Vec3 at) const {
+    constexpr float kRoom = 2.5f, kSurely = 40;  // texels
+    constexpr int kRound = 2;                    // of which one is what bits are seen off their places
     Vec3 to = seen(at);
     int x = static_cast<int>(std::floor(to.x)), y = static_cast<int>(std::floor(to.y));
-    if (x < 0 || y < 0 || x >= kShadowSide || y >= kShadowSide || pixels.empty(x, y)) return false;
-    return pixels.depth(x, y) < to.z - 2.5f * texel();
+    if (!nearer(x, y, to.z - kRoom * texel())) return false;
+    if (nearer(x, y, to.z - kSurely * texel())) return true;
+    for (int row = -kRound; row <= kRound; ++row)
+      for (int column = -kRound; column <= kRound; ++column)
+        if (!nearer(x + column, y + row, to.z - kRoom * texel())) return false;
+    return true;
+  }
+
+ private:
+  bool nearer(int x, int y, float depth) const {
+    bool within = x >= 0 && y >= 0 && x < kShadowSide && y < kShadowSide;
+    return within && !pixels.empty(x, y) && pixels.depth(x, y) < depth;
   }
 };
 

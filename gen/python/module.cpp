@@ -21,5 +21,6 @@ PYBIND11_MODULE(_frond, module) {
   add_models(module);
   add_presets(module);
   add_grammars(module);
+  add_cpfg_models(module);
   add_scenes(module);
 }

@@ -148,7 +148,7 @@ std::vector<std::string> write(const Grown& grown, const std::filesystem::path& 
   ExportOptions options = options_of(detail, sides, texture, voxel, instances, levels);
   if (!home.empty()) options.bake = {.home = home, .cache = cache};
   py::gil_scoped_release others;
-  auto written = write_scene(format, grown.scene, time, options, path, [](double) {});
+  auto written = write_scene(format, grown.scene, time, options, path, [](const ExportTold&) {});
   py::gil_scoped_acquire back;
   return or_raise(std::move(written));
 }

@@ -75,6 +75,13 @@ Encoded feed(const std::vector<fs::path>& pictures, std::vector<std::string> wor
   return result;
 }
 
+/// Whether a PNG has opacity: its kind of colour says.
+bool has_opacity(const fs::path& picture) {
+  constexpr std::size_t kColorType = 25;
+  Result<std::string> bytes = read_file(picture);
+  return bytes && bytes->size() > kColorType && ((*bytes)[kColorType] == 4 || (*bytes)[kColorType] == 6);
+}
+
 /// The lines of -progress are told from ffmpeg's own words by their `key=`.
 bool is_progress(std::string_view line) {
   std::size_t end = line.find('=');
@@ -225,18 +232,31 @@ Errors encode_film(const FilmJob& job) {
   return put_in_place(part.path, job.film);
 }
 
+std::string over_checks() {
+  auto laid = [](char channel) {
+    return fmt::format("{0}='{0}(X,Y)+(255-alpha(X,Y))/255*(153+51*mod(floor(X/8)+floor(Y/8),2))'", channel);
+  };
+  return fmt::format("geq={}:{}:{}", laid('r'), laid('g'), laid('b'));
+}
+
 Errors tile_sheet(const SheetJob& job) {
+  if (job.pictures.empty()) return {{"", job.sheet.string() + ": no pictures for it"}};
   Remover part{part_of(job.sheet)};
   std::string what = job.sheet.string() + " could not be made";
   auto rows = (job.pictures.size() + static_cast<std::size_t>(job.columns) - 1) /
               static_cast<std::size_t>(job.columns);
+  // With opacity, colours of what is hardly there are made small with the rest: they count by their share.
+  bool open = has_opacity(job.pictures[0]);
+  std::string small = fmt::format("scale='min(iw,{})':-1", job.width);
+  small = open ? fmt::format("format=gbrap,premultiply=inplace=1,{},format=gbrap,{},format=gbrp", small,
+                             over_checks())
+               : "format=gbrp," + small;
   List words = reading(job.ffmpeg, "1");
-  append_words(words,
-               {"-vf",
-                fmt::format("format=gbrp,scale='min(iw,{})':-1,tile={}x{}:padding=4:margin=4:"
-                            "color=0x202020,format=rgb24",
-                            job.width, job.columns, rows),
-                "-frames:v", "1", "-update", "1", "-c:v", "png", "-f", "image2", file_word(part.path)});
+  append_words(
+      words,
+      {"-vf",
+       fmt::format("{},tile={}x{}:padding=4:margin=4:color=0x202020,format=rgb24", small, job.columns, rows),
+       "-frames:v", "1", "-update", "1", "-c:v", "png", "-f", "image2", file_word(part.path)});
   Encoded made = feed(job.pictures, words);
   if (!made.damaged.empty()) return {{"", what + ": " + made.damaged[0].text()}};
   if (made.status != 0 || !whole_picture(part.path)) {

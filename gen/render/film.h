@@ -35,7 +35,11 @@ struct SheetJob {
   std::string ffmpeg = "ffmpeg";
 };
 
-/// Makes it; errors as of a film.
+/// A filter of ffmpeg that lays pictures of the format gbrap, whose colours are multiplied by their opacity,
+/// over a chequered ground.
+std::string over_checks();
+
+/// Makes it; errors as of a film. What is transparent shows a chequered ground.
 Errors tile_sheet(const SheetJob& job);
 
 /// Copies a whole picture, which then says how many pixels an inch it has; with 0 dpi it does not.

@@ -116,6 +116,21 @@ std::string gallery_page(const std::vector<std::string>& rows) {
   return page;
 }
 
+SceneIds read_scene_ids(std::string_view text) {
+  SceneIds ids;
+  for (const std::string& line : split(text, '\n'))
+    if (std::vector<std::string> words = words_in(line); words.size() == 2 && !line.starts_with('#'))
+      ids[words[0]] = words[1];
+  return ids;
+}
+
+std::string scene_ids_text(const SceneIds& ids) {
+  std::string text =
+      "# Hashes of the scenes that the pictures here show, by `frond gallery`, whose --stale reads them.\n";
+  for (const auto& [name, id] : ids) text += fmt::format("{} {}\n", name, id);
+  return text;
+}
+
 ExampleScene read_example(std::string_view scene) {
   constexpr std::string_view kCall = "//   frond ", kRender = "// Then: ";
   ExampleScene example;

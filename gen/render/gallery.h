@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -54,6 +55,13 @@ std::string row_with_large(const std::string& row, const std::string& name);
 
 /// The page of these rows, each a line.
 std::string gallery_page(const std::vector<std::string>& rows);
+
+/// Hashes of the scenes that pictures show, by their names; those of large ones begin with "large/".
+using SceneIds = std::map<std::string, std::string>;
+
+/// Reads them from the text of a file and writes that, a line each: NAME HASH. Other lines do not count.
+SceneIds read_scene_ids(std::string_view text);
+std::string scene_ids_text(const SceneIds& ids);
 
 /// A scene of docs/examples says in its first lines how it is made.
 struct ExampleScene {

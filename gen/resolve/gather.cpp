@@ -18,21 +18,21 @@ constexpr int kFewSide = 3;  // of the rays that tell whether a pixel shows more
 
 }  // namespace
 
-SampleGrid::SampleGrid(int width, int height, const std::vector<std::vector<RawSample>>& rows)
-    : width_(width), height_(height) {
-  std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  auto cell = [&](const RawSample& sample) {
-    return static_cast<std::size_t>(sample.place.y) * static_cast<std::size_t>(width) +
-           static_cast<std::size_t>(sample.place.x);
+SampleGrid::SampleGrid(int width, int height, RowBand band, const std::vector<std::vector<RawSample>>& rows)
+    : width_(width), height_(height), band_(band) {
+  std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(band.count());
+  auto each = [&](const auto& visit) {
+    for (const auto& row : rows)
+      for (const RawSample& sample : row)
+        if (int y = static_cast<int>(sample.place.y); band.holds(y))
+          visit(sample, cell(static_cast<int>(sample.place.x), y));
   };
   first_.assign(count + 1, 0);
-  for (const auto& row : rows)
-    for (const RawSample& sample : row) ++first_[cell(sample) + 1];
+  each([&](const RawSample&, std::size_t cell) { ++first_[cell + 1]; });
   for (std::size_t i = 0; i < count; ++i) first_[i + 1] += first_[i];
   samples_.resize(first_.back());
   std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-  for (const auto& row : rows)
-    for (const RawSample& sample : row) samples_[next[cell(sample)]++] = sample;
+  each([&](const RawSample& sample, std::size_t cell) { samples_[next[cell]++] = sample; });
 }
 
 void Gatherer::add_ray(Vec2 place, int ray, float spread) {

@@ -31,21 +31,35 @@ struct RawSample {
   bool lit = false;
 };
 
-/// Samples by the pixel that they lie in.
+/// Some rows of a picture.
+struct RowBand {
+  int first = 0, end = 0;
+
+  int count() const { return end - first; }
+  bool holds(int row) const { return row >= first && row < end; }
+};
+
+/// Samples by the pixel that they lie in, of the rows of a band.
 class SampleGrid {
  public:
-  SampleGrid(int width, int height, const std::vector<std::vector<RawSample>>& rows);
+  SampleGrid(int width, int height, RowBand band, const std::vector<std::vector<RawSample>>& rows);
 
   int width() const { return width_; }
   int height() const { return height_; }
   std::span<const RawSample> in(int x, int y) const {
-    std::size_t i =
-        static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+    if (!band_.holds(y)) return {};
+    std::size_t i = cell(x, y);
     return std::span(samples_).subspan(first_[i], first_[i + 1] - first_[i]);
   }
 
  private:
+  std::size_t cell(int x, int y) const {
+    return static_cast<std::size_t>(y - band_.first) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(x);
+  }
+
   int width_, height_;
+  RowBand band_;
   std::vector<std::size_t> first_;
   std::vector<RawSample> samples_;
 };

@@ -1,6 +1,7 @@
 #include "resolve/resolve.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "core/parallel.h"
 #include "draw/eyes.h"
@@ -51,6 +52,19 @@ void add_moved(std::vector<RawSample>& samples, const TracedFrame& now, const Su
     samples.push_back(sample);
 }
 
+/// The pixels of a band of rows.
+LightPicture gathered(const SampleGrid& grid, const TracedFrame& now, const ResolveOptions& options,
+                      RowBand band) {
+  auto wide = static_cast<std::size_t>(grid.width()), high = static_cast<std::size_t>(band.count());
+  LightPicture picture(wide * high);
+  parallel_for(high, [&](std::size_t row) {
+    Gatherer gatherer(grid, now, options);
+    for (std::size_t x = 0; x < wide; ++x)
+      picture[row * wide + x] = gatherer.pixel(static_cast<int>(x), band.first + static_cast<int>(row));
+  });
+  return picture;
+}
+
 }  // namespace
 
 Resolver::Resolver(const Scene& scene, const TracedFilm& film, Source source, const ResolveOptions& options)
@@ -74,24 +88,29 @@ Result<const Resolver::Raw*> Resolver::raw(int number) {
   if (!light) return light.errors();
   Result<const TracedFrame*> found = traced(number);
   if (!found) return found.errors();
-  const TracedFrame& now = **found;
+  kept = found_spots(number, **found, std::move(*light), 0);
+  return kept.get();
+}
+
+std::unique_ptr<Resolver::Raw> Resolver::found_spots(int number, const TracedFrame& now, LightPicture light,
+                                                     int first) const {
   auto [width, height] = scene_.film.drawn_size();
   Vec2 shift = sample_shift(scene_.film, number), size(width, height);
   auto made = std::make_unique<Raw>();
-  made->light = std::move(*light);
+  made->light = std::move(light);
   made->spot.resize(made->light.size());
   made->lit.resize(made->light.size());
-  parallel_for(static_cast<std::size_t>(height), [&](std::size_t y) {
+  parallel_for(made->light.size() / static_cast<std::size_t>(width), [&](std::size_t row) {
+    int y = first + static_cast<int>(row);
     for (int x = 0; x < width; ++x) {
-      std::size_t i = y * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+      std::size_t i = row * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
       Vec3 direction = picture_ray(now.eye, (Vec2(x, y) + 0.5f + shift) / size);
       std::optional<PassHit> hit = now.trace(now.eye.at, direction);
       made->spot[i] = hit ? hit->spot : backdrop(direction);
       made->lit[i] = hit && now.lit(*hit);
     }
   });
-  kept = std::move(made);
-  return kept.get();
+  return made;
 }
 
 Result<LightPicture> Resolver::frame(int number) {
@@ -130,25 +149,44 @@ Result<LightPicture> Resolver::at_moment(int number, const TracedFrame& now, con
   for (int other = first; other <= last; ++other) {
     Result<const Raw*> raw = this->raw(other);
     if (!raw) return raw.errors();
-    auto drawn = scene_.film.drawn_size();
-    auto wide = static_cast<std::size_t>(drawn[0]), high = static_cast<std::size_t>(drawn[1]);
-    std::size_t begin = rows.size();
-    rows.resize(begin + high);
-    parallel_for(high, [&](std::size_t y) {
-      for (std::size_t i = y * wide; i < (y + 1) * wide; ++i)
-        add_moved(rows[begin + y], now, (*raw)->spot[i], (*raw)->lit[i] != 0, (*raw)->light[i],
-                  other - number, Vec2(width, height));
-    });
+    add_rows(rows, **raw, now, other - number);
   }
-  SampleGrid grid(width, height, rows);
-  auto wide = static_cast<std::size_t>(width), high = static_cast<std::size_t>(height);
-  LightPicture picture(wide * high);
+  SampleGrid grid(width, height, {0, height}, rows);
+  return gathered(grid, now, options, {0, height});
+}
+
+/// Appends the samples of a raw frame, row by row, where they lie in this one.
+void Resolver::add_rows(std::vector<std::vector<RawSample>>& rows, const Raw& raw, const TracedFrame& now,
+                        int age) const {
+  auto wide = static_cast<std::size_t>(scene_.film.drawn_size()[0]);
+  Vec2 size(scene_.film.size[0], scene_.film.size[1]);
+  std::size_t begin = rows.size(), high = raw.light.size() / wide;
+  rows.resize(begin + high);
   parallel_for(high, [&](std::size_t y) {
-    Gatherer gatherer(grid, now, options);
-    for (std::size_t x = 0; x < wide; ++x)
-      picture[y * wide + x] = gatherer.pixel(static_cast<int>(x), static_cast<int>(y));
+    for (std::size_t i = y * wide; i < (y + 1) * wide; ++i)
+      add_moved(rows[begin + y], now, raw.spot[i], raw.lit[i] != 0, raw.light[i], age, size);
   });
-  return picture;
+}
+
+Errors Resolver::still_in_bands(const RowSource& raw, int band, const RowTaker& take) {
+  constexpr int kAround = 8;  // rows beside a band in which samples lie that it takes
+  assert(scene_.film.frames == 1 && !scene_.stage.camera.aperture);
+  Result<const TracedFrame*> found = traced(1);
+  if (!found) return found.errors();
+  const TracedFrame& now = **found;
+  auto [width, height] = scene_.film.size;
+  int fine = scene_.film.drawn_size()[1] / height;
+  for (int first = 0; first < height; first += band) {
+    RowBand own{first, std::min(first + band, height)},
+        around{std::max(0, own.first - kAround), std::min(own.end + kAround, height)};
+    Result<LightPicture> light = raw(fine * around.first, fine * around.count());
+    if (!light) return light.errors();
+    std::vector<std::vector<RawSample>> rows;
+    add_rows(rows, *found_spots(1, now, std::move(*light), fine * around.first), now, 0);
+    SampleGrid grid(width, height, around, rows);
+    if (Errors errors = take(gathered(grid, now, options_, own)); !errors.empty()) return errors;
+  }
+  return {};
 }
 
 }  // namespace frond

@@ -24,6 +24,8 @@
 
 namespace frond {
 
+struct RawSample;
+
 /// The light of a picture, linear; row by row from the top.
 using LightPicture = std::vector<Vec3>;
 
@@ -49,11 +51,23 @@ class Resolver {
   /// Those made in order share what they are made of.
   Result<LightPicture> frame(int number);
 
+  /// Gives so many rows of the raw picture of a still, from one on.
+  using RowSource = std::function<Result<LightPicture>(int first, int count)>;
+  /// Takes the next rows of a picture.
+  using RowTaker = std::function<Errors(const LightPicture& rows)>;
+  /// The picture of a still without an aperture, the same, in bands of so many rows: no more of it is held.
+  /// Rows of the raw one are asked for in order, some of them again in the next band.
+  Errors still_in_bands(const RowSource& raw, int band, const RowTaker& take);
+
  private:
   struct Raw;
 
   Result<const TracedFrame*> traced(int number);
   Result<const Raw*> raw(int number);
+  /// Which spots the samples of some rows of a raw frame show.
+  std::unique_ptr<Raw> found_spots(int number, const TracedFrame& now, LightPicture light, int first) const;
+  void add_rows(std::vector<std::vector<RawSample>>& rows, const Raw& raw, const TracedFrame& now,
+                int age) const;
   Result<LightPicture> at_moment(int number, const TracedFrame& now, const ResolveOptions& options);
 
   const Scene& scene_;

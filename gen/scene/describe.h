@@ -272,6 +272,10 @@ void describe(Visitor& v, Preset& p) {
   v.text(
       "base", p.base,
       "Another preset, named as seen from this one's folder, whose values stand wherever this one has none");
+  v.integer("version", p.version, {.min = 1, .max = kPresetVersion, .sense = "2 in new presets"},
+            "How organisms take their random numbers: in 1 by their place in the list, so that one more in "
+            "front makes all others grow anew; in 2 by their names, or else by their place among those "
+            "without a name of their kind");
   v.integer("seed", p.seed, {.min = 0, .max = 9e15},
             "Seed of everything random: another number gives another reef, tree or wood by the same rules");
   v.custom(

@@ -7,6 +7,7 @@
 #include "organisms/grammar_faults.h"
 #include "plan/layout.h"
 #include "preset/json.h"
+#include "scene/entry_seeds.h"
 #include "settings/garden.h"
 
 namespace frond {
@@ -148,12 +149,13 @@ Errors furnish(Preset& preset, double reach, Faults& doubtful) {
     doubtful.add({origin_at(*preset.written, note.where), note.where, note.what});
   std::ranges::move(areas_of(text, *plan), std::back_inserter(preset.stage.block<Garden>().areas));
   TakenSpots taken;
+  std::vector<Seed> seeds = entry_seeds(preset, "plan");
   for (std::size_t i = 0; i < preset.organisms.size(); ++i) {
     Organism& organism = preset.organisms[i];
     const Place& place = organism.place;
     if (organism.count == 0 || (place.in.empty() && place.along.empty())) continue;
     if (!place.in.empty())
-      place_in(organism, sites_in(text, *plan, place.in), taken, Seed{preset.seed}.child("plan", i));
+      place_in(organism, sites_in(text, *plan, place.in), taken, seeds[i]);
     else
       place_along(organism, sites_along(text, *plan, place.along), taken);
     organism.count = static_cast<int>(organism.place.at.size());

@@ -18,18 +18,10 @@
 #include "scene/edit_checks.h"
 #include "scene/furnish.h"
 #include "scene/idle.h"
+#include "scene/named_preset.h"
 
 namespace frond {
 namespace {
-
-/// An organism with the defaults behind it, as it was read.
-Value merged_organism(const Value& root, std::size_t index) {
-  std::vector<std::string> force;
-  if (const Value* names = root.find("force"))
-    for (const Value& name : names->items) force.push_back(name.text);
-  const Value* defaults = root.find("defaults");
-  return merge(defaults ? *defaults : make_object(), root.find("organisms")->items[index], force);
-}
 
 /// A fault at the pointer inside of an organism.
 Fault organism_fault(const Value& organism, std::size_t index, std::string_view pointer, std::string what) {
@@ -171,109 +163,6 @@ void check_stage(const Stage& stage, const Value& root, Faults& faults) {
       return fault("/scene/camera/look_at", "is where the camera stands; expected another place to look at");
 }
 
-constexpr int kMostBases = 8;
-
-/// The names of a preset's properties, as Reader tells them of one that is none.
-std::vector<std::string_view> preset_names() {
-  Value probe = make_object();
-  probe.set("", make_boolean(true));
-  Preset preset;
-  Reader reader;
-  reader.read_root(probe, preset);
-  std::vector<std::string_view> names = reader.faults().list().front().names;
-  names.push_back("$schema");
-  return names;
-}
-
-/// A file that was named as a base. Where it is no preset, nothing that stands in it is shown: it may be a
-/// file that was not meant to be read.
-Result<Document> read_base(const NamedFile& file) {
-  std::string path = file.path.string();
-  std::string hint = fmt::format("; expected a preset, see `frond check {}`", path);
-  Result<Document> base = parse_json(file.text, path);
-  if (!base) {
-    std::string where = base.errors().front().where;
-    return Error{where.substr(0, where.find(": /")), "is no JSON" + hint};
-  }
-  std::vector<std::string_view> names = preset_names();
-  const Value& root = base->root;
-  if (!root.is(Value::Type::object)) return Error{root.origin.text(), "is no object" + hint};
-  for (const Member& member : root.members)
-    if (std::ranges::find(names, member.name) == names.end())
-      return Error{member.origin.text(), "is a name that presets do not have" + hint};
-  return base;
-}
-
-/// Lays a preset over the one that it names as its base, and that over its own.
-Errors lay_on_base(Value& root, const std::string& file_name, const Assets& assets, int depth = 0) {
-  const Value* base = root.find("base");
-  if (!base) return {};
-  auto fault = [&](std::string what) {
-    return Errors{Fault{base->origin, "/base", std::move(what)}.error()};
-  };
-  // What is no text is told where all else is read, but for that of a base, which goes.
-  if (!base->is(Value::Type::text))
-    return depth == 0 ? Errors{} : fault(fmt::format("found {}; expected a text", found_text(*base)));
-  if (base->text.empty()) return {};
-  if (depth == kMostBases) return fault("more than 8 bases on each other; is one its own?");
-  Result<NamedFile> file = assets.read(base->text, std::filesystem::path(file_name).parent_path());
-  if (!file) return fault(file.errors().front().what);
-  Result<Document> below = read_base(*file);
-  if (!below) return below.errors();
-  if (Errors errors = lay_on_base(below->root, file->path.string(), assets, depth + 1); !errors.empty())
-    return errors;
-  below->root.remove("base");
-  root = overlay(below->root, root);
-  return {};
-}
-
-/// Lays each organism that names a species over the first one of that preset, with the defaults there: how it
-/// grows and looks, not where it stands.
-Errors lay_on_species(Value& root, const std::string& file_name, const Assets& assets) {
-  Value* organisms = root.find("organisms");
-  Errors errors;
-  for (std::size_t i = 0; organisms && i < organisms->items.size(); ++i) {
-    Value& organism = organisms->items[i];
-    const Value* species = organism.find("species");
-    if (!species) continue;
-    auto fault = [&](std::string what) {
-      errors.push_back(
-          Fault{species->origin, fmt::format("/organisms/{}/species", i), std::move(what)}.error());
-    };
-    if (!species->is(Value::Type::text)) {
-      fault(fmt::format("found {}; expected a text", found_text(*species)));
-      continue;
-    }
-    if (species->text.empty()) continue;
-    if (species->text.ends_with(".xml")) {
-      fault("an XML file is no preset; species of Arbaro are named by \"arbaro\", of the kind weber_penn");
-      continue;
-    }
-    Result<NamedFile> file = assets.read(species->text, std::filesystem::path(file_name).parent_path());
-    if (!file) {
-      fault(file.errors().front().what);
-      continue;
-    }
-    Result<Document> other = read_base(*file);
-    Errors below = other ? lay_on_base(other->root, file->path.string(), assets) : other.errors();
-    if (below.empty()) below = use_palettes(other->root);
-    if (!below.empty()) return below;
-    const Value* list = other->root.find("organisms");
-    if (!list || list->items.empty()) {
-      fault(fmt::format("{} has no organism", file->path.string()));
-      continue;
-    }
-    Value kind = merged_organism(other->root, 0);
-    for (std::string_view own : {"count", "group", "sown", "species"}) kind.remove(own);
-    if (Value* place = kind.find("place"))
-      for (std::string_view own : {"at", "in", "along", "on", "center", "inner", "radius"})
-        place->remove(own);
-    organism.remove("species");
-    organism = overlay(kind, organism);
-  }
-  return errors;
-}
-
 /// The time of the year that the scene tells is that of all seasons that have none of their own.
 void pass_on_year(Value& root) {
   const Value* scene = root.find("scene");
@@ -363,6 +252,8 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   Result<Preset> preset = read_preset<Preset>(*document, &doubtful, &assets);
   if (!preset) return preset;
   preset->stage.camera = keyed_move(preset->stage.camera, preset->film);
+  for (Event& event : preset->events)
+    if (event.cut) event.cut->by_own = preset->version >= 2;
   preset->text = serialize(document->root);
   preset->files = std::move(read);
   preset->written = std::make_shared<const Value>(with_defaults(document->root));

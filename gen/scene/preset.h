@@ -20,6 +20,9 @@ namespace frond {
 
 struct Value;
 
+/// The version that new presets are written in; those that tell none are of version 1.
+inline constexpr int kPresetVersion = 2;
+
 /// A preset as the user wrote it: checked, typed, with every default and override in its place.
 struct Preset {
   std::string title;
@@ -37,6 +40,7 @@ struct Preset {
   std::shared_ptr<const Value> written;      ///< the same with its places, defaults merged into the organisms
   std::vector<std::filesystem::path> files;  ///< that were read for it, besides its own
   Errors notes;                              ///< no faults, but what the user should know
+  int version = 1;  ///< of the rules by which entries take their seeds, see scene/entry_seeds.h
 };
 
 /// Reads a preset, and the one that it builds on. `file_name` is for messages and tells the folder; `sets`

@@ -9,11 +9,13 @@
 #include <map>
 #include <utility>
 
+#include "core/wanted.h"
 #include "dress/mask_drawing.h"
 #include "organisms/kinds.h"
 #include "preset/json.h"
 #include "scene/bounds.h"
 #include "scene/camera.h"
+#include "scene/entry_seeds.h"
 #include "scene/far.h"
 #include "scene/feeding.h"
 #include "scene/fit.h"
@@ -48,12 +50,13 @@ struct PlacedEntry {
 std::vector<PlacedEntry> find_places(const Preset& preset, const Extent& extent, TakenSpots& taken,
                                      std::vector<std::string>& notes) {
   std::vector<PlacedEntry> plots;
+  std::vector<Seed> seeds = entry_seeds(preset, "organism");
   for (std::size_t o = 0; o < preset.organisms.size(); ++o) {
     const Organism& organism = preset.organisms[o];
     const Place& place = organism.place;
     if (organism.count == 0 || organism.sown) continue;
     PlacedEntry& plot = plots.emplace_back();
-    plot.bed = {&organism, o, Seed{preset.seed}.child("organism", o), {}};
+    plot.bed = {&organism, o, seeds[o], {}};
     if (finds_own_place(organism.grower->stage())) continue;
     auto room = static_cast<float>(room_of(place, extent));
     for (Vec2 at : place.at) plot.spots.push_back({at, room}), taken.take(plot.spots.back());
@@ -71,13 +74,15 @@ std::vector<PlacedEntry> find_places(const Preset& preset, const Extent& extent,
 }
 
 /// Gives each planting its foot.
-std::vector<Bed> set_feet(std::vector<PlacedEntry> plots, Grounds& ground) {
+std::vector<Bed> set_feet(const Preset& preset, std::vector<PlacedEntry> plots, Grounds& ground) {
   std::vector<Bed> beds;
   for (PlacedEntry& plot : plots) {
     const Organism& organism = *plot.bed.organism;
     double rock = organism.grower->stands_on_rock() && organism.place.on.empty() ? organism.place.rock : 0;
     for (std::size_t i = 0; i < plot.spots.size(); ++i) {
-      Seed seed = plot.bed.seed.child("instance", i);
+      bool given = i < organism.place.at.size();
+      Seed seed = given ? plot.bed.seed.child("instance", i)
+                        : planting_seed(preset, plot.bed.seed, "scattered", i, plot.spots[i].attempt);
       Vec2 at = plot.spots[i].at;
       float foot = ground.seat(at, rock, seed) + static_cast<float>(organism.place.raise);
       plot.bed.plantings.push_back({seed, Vec3(at.x, foot, at.y)});
@@ -145,13 +150,16 @@ Result<GrownStages> grow_in(World& world, const Preset& preset, const std::vecto
   return grow_stages(preset, beds, ground.floor(), watch, cache, only, world);
 }
 
+Result<Scene> build_all(const Preset& preset, const Watch& watch, SpecimenCache* cache,
+                        const EntryFilter& only);
+
 /// The scene once more, for a camera that has stepped back. `before`: entries that grew the first time.
 Result<Scene> build_wider(const Preset& preset, Camera camera, std::vector<std::size_t> before,
                           const Watch& watch, SpecimenCache* cache, const EntryFilter& only) {
   Preset wider = preset;
   wider.stage.camera = std::move(camera);
   wider.stage.camera.fit.clear(), wider.stage.camera.follow = false;
-  Result<Scene> scene = build_scene(wider, watch, cache, only);
+  Result<Scene> scene = build_all(wider, watch, cache, only);
   if (!scene) return scene;
   for (std::size_t entry : scene->grown)
     if (std::ranges::find(before, entry) == before.end()) before.push_back(entry);
@@ -219,10 +227,13 @@ std::string Scene::check() const {
   return ground ? ground->floor().check() : "there is no ground";
 }
 
-Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCache* cache,
-                          const EntryFilter& only) {
+namespace {
+
+Result<Scene> build_all(const Preset& preset, const Watch& watch, SpecimenCache* cache,
+                        const EntryFilter& only) {
   // What has grown may be needed once more, see below.
-  if (SpecimenCache own; !cache && !preset.stage.camera.fit.empty()) return build_scene(preset, watch, &own);
+  if (SpecimenCache own; !cache && !preset.stage.camera.fit.empty())
+    return build_all(preset, watch, &own, {});
   Seed seed{preset.seed};
   Scene scene;
   scene.film = preset.film;
@@ -240,8 +251,8 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCach
   ground->strew(taken);
   sow_stands(scene, preset, *ground, taken.list());
   if (preset.stand) draw_stand(scene, preset, *ground, stand_history(preset, *ground));
-  come_and_go(scene);
-  std::vector<Bed> beds = set_feet(std::move(plots), *ground);
+  come_and_go(scene, preset);
+  std::vector<Bed> beds = set_feet(preset, std::move(plots), *ground);
   watch.step();
 
   World world(seed, ground->heights(), preset.film.length(), preset.film.frames > 1, std::move(taken));
@@ -273,17 +284,23 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCach
     }
     scene.stage.camera = std::move(moved);
   }
+  watch.begin("surround", 5);
   ground->lay_litter(scene.stage.camera);
+  watch.step();
   if (is_snowy(scene.stage) || is_rainy(scene.stage))
     scene.overhead = std::make_shared<const Overhead>(bodies_overhead(scene));
   std::optional<Specimen> snow = lying_snow(scene, *ground, seed.child("snow"));
-  if (is_snowy(scene.stage)) load_boughs(scene, seed.child("boughs"));
+  watch.step();
+  if (is_snowy(scene.stage)) load_boughs(scene, preset);
+  watch.step();
   std::optional<Specimen> water = standing_water(scene, *ground);
+  watch.step();
   scene.ground = std::move(ground);
   if (std::optional<FarCountry> far = far_land_round(scene, seed.child("far"))) {
     plant_far_trees(scene, preset, *far, seed.child("far trees"));
     scene.far = std::make_shared<const FarCountry>(std::move(*far));
   }
+  watch.step();
   note_camera(scene, preset);
   note_growth(scene, preset);
   for (const Organism& organism : preset.organisms)
@@ -297,6 +314,18 @@ Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCach
   if (snow) scene.specimens.push_back(std::move(*snow));
   if (water) scene.specimens.push_back(std::move(*water));
   assert(scene.check().empty());
+  return scene;
+}
+
+}  // namespace
+
+Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCache* cache,
+                          const EntryFilter& only) {
+  Result<Scene> scene = Error{"", "given up"};
+  try {
+    while_wanted(watch.given_up, [&] { scene = build_all(preset, watch, cache, only); });
+  } catch (const GivenUp&) {
+  }
   return scene;
 }
 

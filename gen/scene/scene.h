@@ -107,8 +107,8 @@ class SpecimenCache;
 /// stays as it is.
 using EntryFilter = std::optional<std::set<std::size_t>>;
 
-/// Places and grows everything: the phases "place" and "grow". What a cache has is taken from there. A
-/// scene that is given up is an error.
+/// Places and grows everything, and lays what is round it: the phases "place", "grow" and "surround". What a
+/// cache has is taken from there. A scene that is given up is an error, soon and wherever the work is.
 Result<Scene> build_scene(const Preset& preset, const Watch& watch = {[](auto, auto) {}, [] {}},
                           SpecimenCache* cache = nullptr, const EntryFilter& only = {});
 

@@ -1,9 +1,11 @@
 #include "scene/season.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "core/curve.h"
+#include "scene/entry_seeds.h"
 
 namespace frond {
 
@@ -68,24 +70,29 @@ CopySpan within(const CopySpan& span, const CopySpan& other) {
   return both;
 }
 
-Copies present(const Copies& all, Vec2 part, const std::vector<Instant>& instants, Seed seed) {
+/// Copies draw their lots by their number, and from version 2 on by their place, which is theirs whoever else
+/// finds no room.
+Copies present(const Copies& all, Vec2 part, const std::vector<Instant>& instants, Seed seed, int version) {
   Copies now;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (CopySpan& span : spans_of(presence_of(part, seed.child("present", i)), instants)) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    std::uint64_t own = version < 2 ? i : std::bit_cast<std::uint64_t>(Vec2(all.foot[i].x, all.foot[i].z));
+    for (CopySpan& span : spans_of(presence_of(part, seed.child("present", own)), instants)) {
       if (!all.span.empty()) span = within(all.span[i], span);
       if (span.end > span.begin) now.add(all, i, std::move(span));
     }
+  }
   return now;
 }
 
 }  // namespace
 
-void come_and_go(Scene& scene) {
+void come_and_go(Scene& scene, const Preset& preset) {
   if (!scene.stage.year) return;
   std::vector<Instant> instants = instants_of(scene.film, *scene.stage.year);
+  std::vector<Seed> seeds = entry_seeds(preset, "season");
   for (SownStand& stand : scene.stands)
     if (const auto& part = stand.organism.sown->present)
-      stand.copies = present(stand.copies, *part, instants, scene.seed.child("season", stand.entry));
+      stand.copies = present(stand.copies, *part, instants, seeds[stand.entry], preset.version);
 }
 
 }  // namespace frond

@@ -6,6 +6,7 @@
 
 #include "core/lots.h"
 #include "core/triangle.h"
+#include "scene/entry_seeds.h"
 
 namespace frond {
 
@@ -45,7 +46,7 @@ bool is_free(const std::vector<Settled>& settled, Vec3 at, float room) {
 }
 
 /// An error's `where` is a pointer into the preset.
-Errors settle_on_bodies(Bed& bed, const World& world, std::vector<Settled>& settled,
+Errors settle_on_bodies(const Preset& preset, Bed& bed, const World& world, std::vector<Settled>& settled,
                         std::vector<std::string>& notes) {
   const Organism& organism = *bed.organism;
   const Place& place = organism.place;
@@ -74,7 +75,7 @@ Errors settle_on_bodies(Bed& bed, const World& world, std::vector<Settled>& sett
     bool fits = away >= place.inner && away <= place.radius && is_free(settled, planting.foot, room);
     fruitless = fits ? 0 : fruitless + 1;
     if (!fits) continue;
-    planting.seed = bed.seed.child("instance", bed.plantings.size());
+    planting.seed = planting_seed(preset, bed.seed, "settled", bed.plantings.size(), dart);
     settled.push_back({planting.foot, room});
     bed.plantings.push_back(planting);
   }
@@ -86,12 +87,14 @@ Errors settle_on_bodies(Bed& bed, const World& world, std::vector<Settled>& sett
 
 }  // namespace
 
-Errors settle_colonies(std::vector<Bed>& beds, World& world, std::vector<std::string>& notes) {
+Errors settle_colonies(const Preset& preset, std::vector<Bed>& beds, World& world,
+                       std::vector<std::string>& notes) {
   std::vector<Settled> settled;
   std::vector<Claim> claims;
   for (Bed& bed : beds) {
     if (!bed.organism->place.on.empty())
-      if (Errors errors = settle_on_bodies(bed, world, settled, notes); !errors.empty()) return errors;
+      if (Errors errors = settle_on_bodies(preset, bed, world, settled, notes); !errors.empty())
+        return errors;
     std::optional<Spread> spread = bed.organism->grower->spread();
     if (!spread) continue;
     for (Planting& planting : bed.plantings) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "organisms/organism.h"
+#include "scene/preset.h"
 #include "world/world.h"
 
 namespace frond {
@@ -12,6 +13,7 @@ namespace frond {
 /// plumb line over their place meets one, the others scattered over what does not face downward; and all
 /// claim their share of space in the world. An error, at a pointer into the preset, where a body that is
 /// named does not stand there. `notes` takes what found no room.
-Errors settle_colonies(std::vector<Bed>& beds, World& world, std::vector<std::string>& notes);
+Errors settle_colonies(const Preset& preset, std::vector<Bed>& beds, World& world,
+                       std::vector<std::string>& notes);
 
 }  // namespace frond

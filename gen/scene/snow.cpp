@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "core/noise.h"
 #include "core/parallel.h"
 #include "land/snow.h"
 #include "scene/camera.h"
+#include "scene/entry_seeds.h"
 #include "scene/wind.h"
 #include "settings/settings.h"
 
@@ -18,6 +20,12 @@ namespace {
 constexpr int kRings[] = {180, 260, 340};  // of the mesh on the ground, of each Quality
 constexpr float kAround = 20;   // metres from its middle within which bodies shelter and trunks have hollows
 constexpr double kRadius = 45;  // metres beyond the camera's way
+
+}  // namespace
+
+int snow_rings(Quality quality) { return kRings[static_cast<std::size_t>(quality)]; }
+
+namespace {
 
 Vec2 level(Vec3 p) { return {p.x, p.z}; }
 
@@ -98,7 +106,7 @@ float passing(const std::vector<double>& sum, double level) {
 }
 
 SnowLoad load_of(const Scene& scene, const Skeleton& bones, const WindField& wind, Seed seed) {
-  SnowLoad load{scene.stage.snow.depth, {}, {}, {}};
+  SnowLoad load{scene.stage.snow.depth, {}, {}, {}, {}};
   std::vector<float> begins;  // of each bough, its distance along the branches
   for (std::size_t i = 0; i < bones.size(); ++i) {
     Vec3 at = bones.position[i];
@@ -121,16 +129,40 @@ SnowLoad load_of(const Scene& scene, const Skeleton& bones, const WindField& win
   return load;
 }
 
+/// The seeds of the snow on each specimen, and of its powder.
+struct SnowSeeds {
+  Seed load, powder;
+};
+
+/// They hang on the number of the specimen in the scene, and from version 2 on on that among those of its
+/// entry.
+std::vector<SnowSeeds> snow_seeds(const Scene& scene, const Preset& preset) {
+  std::vector<Seed> entries = entry_seeds(preset, "boughs");
+  std::map<std::size_t, std::uint64_t> met;
+  std::vector<SnowSeeds> seeds;
+  for (std::size_t i = 0; i < scene.specimens.size(); ++i) {
+    std::size_t entry = scene.specimens[i].entry;
+    Seed own = entry < entries.size() ? entries[entry].child(met[entry]++) : scene.seed.child("setting", i);
+    if (preset.version < 2)
+      seeds.push_back({scene.seed.child("boughs").child("specimen", i), scene.seed.child("powder", i)});
+    else
+      seeds.push_back({own.child("load"), own.child("powder")});
+  }
+  return seeds;
+}
+
 }  // namespace
 
-void load_boughs(Scene& scene, Seed seed) {
+void load_boughs(Scene& scene, const Preset& preset) {
   if (scene.stage.snow.deepest() <= 0) return;
+  std::vector<SnowSeeds> seeds = snow_seeds(scene, preset);
   WindField wind = wind_in(scene).value_or(WindField{});
   parallel_for(scene.specimens.size(), [&](std::size_t i) {
     Specimen& s = scene.specimens[i];
     if (s.model.skeleton.size() == 0 || s.life.develop || s.life.hanging || s.life.fall) return;
-    s.load =
-        std::make_shared<const SnowLoad>(load_of(scene, s.model.skeleton, wind, seed.child("specimen", i)));
+    SnowLoad load = load_of(scene, s.model.skeleton, wind, seeds[i].load);
+    load.powder = seeds[i].powder;
+    s.load = std::make_shared<const SnowLoad>(std::move(load));
   });
 }
 
@@ -149,11 +181,7 @@ std::optional<Specimen> lying_snow(const Scene& scene, Grounds& ground, Seed see
   double sown = ground.land({}).size;
   auto kept = [&](Vec2 at) { return snow.depth_map.on_land(at, sown); };
   auto seat = [&](Vec2 at) { return static_cast<double>(ground.seat(at, 0, seed)); };
-  SnowLand land{seat,
-                middle,
-                kRadius + reach,
-                kRings[static_cast<std::size_t>(scene.film.quality)],
-                trunks_of(scene, middle),
+  SnowLand land{seat, middle, kRadius + reach, snow_rings(scene.film.quality), trunks_of(scene, middle),
                 kept};
   SnowWind wind{-Vec2(std::sin(snow.wind), std::cos(snow.wind)), snow.drift};
   std::vector<SnowSheet> sheets{snow_on_ground(land, bodies, wind, seed)};

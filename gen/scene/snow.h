@@ -4,11 +4,14 @@
 
 namespace frond {
 
+/// Rings of the mesh of the snow on the ground, as of a GroundDisc.
+int snow_rings(Quality quality);
+
 /// The bodies of a scene near its camera, as falling snow meets them.
 Overhead bodies_overhead(const Scene& scene);
 
 /// Lays snow on the branches of what has grown, and says when it comes down from them.
-void load_boughs(Scene& scene, Seed seed);
+void load_boughs(Scene& scene, const Preset& preset);
 
 /// The snow on the ground and on the bodies of a scene in which everything has grown, as a specimen of the
 /// setting; no snow, none. Its `overhead` is known. On plants it lies by their texture, see Traits::snowy.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/entry_seeds.h"
+
 namespace frond {
 
 namespace {
@@ -45,15 +47,15 @@ Copies copies_of(const Organism& organism, const std::vector<Sprout>& sprouts, c
 
 void sow_stands(Scene& scene, const Preset& preset, const Grounds& ground, std::vector<Spot> taken) {
   std::vector<SowOrder> orders;
+  std::vector<Seed> seeds = entry_seeds(preset, "organism");
   for (std::size_t o = 0; o < preset.organisms.size(); ++o) {
     const Organism& organism = preset.organisms[o];
     if (!organism.sown || organism.count == 0) continue;
-    Seed seed = Seed{preset.seed}.child("organism", o);
     scene.stands.push_back({o, organism, organism.grower->dress(), {}, {}});
     SowRules where = organism.sown->where;
     if (preset.stand) where.shade = {0, 1};  // which is that of the trees, and another in each year
     orders.push_back({std::move(where), organism.count, organism.place.size_variation, organism.sown->models,
-                      organism.place.at, seed});
+                      organism.place.at, seeds[o]});
   }
   if (orders.empty()) return;
   std::vector<std::vector<Sprout>> sown = sow(orders, ground.land(std::move(taken)));

@@ -9,6 +9,7 @@
 
 #include "core/content.h"
 #include "core/parallel.h"
+#include "core/wanted.h"
 #include "organisms/describe.h"
 #include "organisms/describe_events.h"
 #include "organisms/kinds.h"
@@ -51,7 +52,7 @@ class SceneBuilder {
                            [&](const Bed& bed) { return bed.organism->grower->stage() == stage; });
       if (leaves_out(stage, growing)) continue;
       if (stage == GrowthStage::in_space) {
-        if (Errors errors = settle_colonies(growing, world, grown.notes); !errors.empty())
+        if (Errors errors = settle_colonies(preset_, growing, world, grown.notes); !errors.empty())
           return placed(errors, "");
         for (const Bed& bed : growing)  // those that found no room are done
           for (std::size_t i = bed.plantings.size(); i < steps_of(bed); ++i) watch_.step();
@@ -104,7 +105,7 @@ class SceneBuilder {
     std::vector<Errors> errors(groups.size());
     std::vector<char> fresh(groups.size()), left_out(groups.size());
     parallel_for(groups.size(), [&](std::size_t g) {
-      fresh[g] = !take_grown(keys[g], world, specimens[g]);
+      fresh[g] = !take_grown(keys[g], groups[g], world, specimens[g]);
       left_out[g] = fresh[g] && !wants(groups[g]);
       if (fresh[g] && !left_out[g]) errors[g] = grow(groups[g], world, keys[g], unedited[g], specimens[g]);
     });
@@ -127,21 +128,26 @@ class SceneBuilder {
   }
 
   /// What has grown on other land stands on this one: at the same feet, and only its leaves fall elsewhere.
-  bool take_grown(const std::string& key, const World& world, std::vector<Specimen>& specimens) {
+  /// Its entry may have had another number then.
+  bool take_grown(const std::string& key, const std::vector<Bed>& beds, const World& world,
+                  std::vector<Specimen>& specimens) {
     auto kept = cache_ ? cache_->find(key) : nullptr;
     if (!kept || std::ranges::any_of(*kept, [](const auto& s) { return s.model.solids.follow_ground; }))
       return false;
     specimens = *kept;
-    for (Specimen& s : specimens)
+    for (std::size_t i = 0; i < specimens.size(); ++i) {
+      Specimen& s = specimens[i];
+      s.entry = bed_of(beds, i).first->entry;
       if (s.life.ground) s.life.ground = world.ground();
+    }
     return true;
   }
 
   /// Grows beds and edits them by hand; both are kept, so that another edit grows nothing anew.
   Errors grow(const std::vector<Bed>& beds, const World& world, const std::string& key,
               const std::string& unedited, std::vector<Specimen>& specimens) {
-    if (watch_.given_up && watch_.given_up()) return {Error{"", "given up"}};
-    if (unedited.empty() || !take_grown(unedited, world, specimens)) {
+    stay_wanted();
+    if (unedited.empty() || !take_grown(unedited, beds, world, specimens)) {
       std::vector<Result<Specimen>> all = beds.front().organism->grower->grow(beds, world, watch_.step);
       for (std::size_t i = 0; i < all.size(); ++i) {
         if (!all[i])
@@ -208,7 +214,7 @@ class SceneBuilder {
     for (const Bed& bed : beds) {
       Keys keys = keys_of(*bed.organism);
       looks += keys.look;
-      text += fmt::format("\n{} {} {} {}", bed.entry, bed.seed.key, keys.shape, keys.motion);
+      text += fmt::format("\n{} {} {}", bed.seed.key, keys.shape, keys.motion);
       for (const Planting& p : bed.plantings) {
         text += fmt::format(" {} {} {} {} {} {} {} {}", p.seed.key, p.foot.x, p.foot.y, p.foot.z, p.normal.x,
                             p.normal.y, p.normal.z, p.turn);

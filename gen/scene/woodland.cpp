@@ -7,6 +7,7 @@
 #include "core/curve.h"
 #include "core/parallel.h"
 #include "land/plant_grid.h"
+#include "scene/entry_seeds.h"
 
 namespace frond {
 
@@ -113,8 +114,7 @@ class Library {
     if (statures_.empty()) return;
     Organism organism = preset_.organisms[entry];
     organism.place.size_variation = 0;
-    std::vector<float> heights =
-        organism.grower->heights(organism, Seed{preset_.seed}.child("heights", entry));
+    std::vector<float> heights = organism.grower->heights(organism, entry_seeds(preset_, "heights")[entry]);
     prunings_.clear();
     for (const Event& event : preset_.events)
       if (event.prune && concerns(event.prune->entry, organism.name))

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 
+#include "core/cell_grid.h"
 #include "core/noise.h"
 #include "core/parallel.h"
 #include "land/litter.h"
@@ -26,11 +28,53 @@ std::vector<Vec2> camera_places(const Film& film, const Camera& camera) {
   return places;
 }
 
-double nearest(const std::vector<Vec2>& places, Vec2 at) {
-  float least = 1e9f;
-  for (Vec2 place : places) least = std::min(least, glm::distance(place, at));
-  return least;
-}
+/// Squares of a grid, those of a row in one place.
+struct Cell {
+  long long row = 0, column = 0;
+  auto operator<=>(const Cell&) const = default;
+};
+
+/// The squares within kFar of a place, each once, row by row, and how far the nearest place is from any
+/// point: as much work as there are squares, wherever the camera goes.
+class NearCells {
+ public:
+  explicit NearCells(const std::vector<Vec2>& places) : near_(static_cast<float>(kFar)), places_(places) {
+    std::uint32_t who = 0;
+    for (Vec2 place : places) {
+      near_.add(Vec3(place.x, 0, place.y), who++);
+      for (long long row = first(place.y); row <= last(place.y); ++row)
+        for (long long column = first(place.x); column <= last(place.x); ++column)
+          cells_.push_back({row, column});
+      if (cells_.size() > 2 * distinct_ + kSpare) thin();
+    }
+    thin();
+  }
+
+  const std::vector<Cell>& cells() const { return cells_; }
+
+  /// Metres to the nearest place; more than kFar where that is farther.
+  double away(Vec2 at) const {
+    float least = 1e9f;
+    near_.each(Vec3(at.x, 0, at.y),
+               [&](std::uint32_t who) { least = std::min(least, glm::distance(places_[who], at)); });
+    return static_cast<double>(least);
+  }
+
+ private:
+  static constexpr std::size_t kSpare = 1'000'000;
+  static long long first(float x) { return static_cast<long long>(std::floor((x - kFar) / kSide)); }
+  static long long last(float x) { return static_cast<long long>(std::ceil((x + kFar) / kSide)); }
+  void thin() {
+    std::ranges::sort(cells_);
+    cells_.erase(std::unique(cells_.begin(), cells_.end()), cells_.end());
+    distinct_ = cells_.size();
+  }
+
+  CellGrid near_;
+  const std::vector<Vec2>& places_;
+  std::vector<Cell> cells_;
+  std::size_t distinct_ = 0;
+};
 
 Patch laid(const ForestLand& land, int first_shape, Vec2 at, const Seed& seed) {
   float step = static_cast<float>(kSide / 2);
@@ -116,28 +160,17 @@ ForestCover strew_floor(const Film& film, const Camera& camera, const ForestLand
   for (std::uint64_t i = 0; i < kShapes; ++i)
     cover.moss.push_back(moss_surface(1.5 * kSide, seed.child("cushion", i)));
   std::vector<Vec2> eyes = camera_places(film, camera);
-  auto [low, high] = std::minmax_element(eyes.begin(), eyes.end(), [](Vec2 a, Vec2 b) { return a.y < b.y; });
+  NearCells near(eyes);
   // Patches lie on one grid for the whole world, so that another camera finds the same ones.
-  auto first = [](float x) { return static_cast<long long>(std::floor((x - kFar) / kSide)); };
-  auto last = [](float x) { return static_cast<long long>(std::ceil((x + kFar) / kSide)); };
-  for (long long row = first(low->y), end = last(high->y); row <= end; ++row) {
-    std::vector<Vec2> near;  // eyes that see the row
-    for (Vec2 eye : eyes)
-      if (first(eye.y) <= row && row <= last(eye.y)) near.push_back(eye);
-    if (near.empty()) continue;
-    auto [left, right] =
-        std::minmax_element(near.begin(), near.end(), [](Vec2 a, Vec2 b) { return a.x < b.x; });
-    for (long long column = first(left->x), stop = last(right->x); column <= stop; ++column) {
-      Seed own = seed.child("row", static_cast<std::uint64_t>(row)).child(static_cast<std::uint64_t>(column));
-      Vec2 at(static_cast<float>((static_cast<double>(column) + own.child("x").unit()) * kSide),
-              static_cast<float>((static_cast<double>(row) + own.child("z").unit()) * kSide));
-      double away = nearest(near, at);
-      if (own.child("far").unit() < smooth_step(kNear, kFar, away)) continue;
-      double edge = land.path(at) + own.child("edge").range(-0.25, 0.25);
-      bool green = mossiness(land, moss, at, seed) > own.child("moss").range(0.46, 0.58);
-      cover.litter_patches.push_back(laid(land, green || edge < 0 ? kShapes : 0, at, own));
-      if (green) cover.moss_patches.push_back(laid(land, 0, at, own.child("cushion")));
-    }
+  for (auto [row, column] : near.cells()) {
+    Seed own = seed.child("row", static_cast<std::uint64_t>(row)).child(static_cast<std::uint64_t>(column));
+    Vec2 at(static_cast<float>((static_cast<double>(column) + own.child("x").unit()) * kSide),
+            static_cast<float>((static_cast<double>(row) + own.child("z").unit()) * kSide));
+    if (own.child("far").unit() < smooth_step(kNear, kFar, near.away(at))) continue;
+    double edge = land.path(at) + own.child("edge").range(-0.25, 0.25);
+    bool green = mossiness(land, moss, at, seed) > own.child("moss").range(0.46, 0.58);
+    cover.litter_patches.push_back(laid(land, green || edge < 0 ? kShapes : 0, at, own));
+    if (green) cover.moss_patches.push_back(laid(land, 0, at, own.child("cushion")));
   }
   return cover;
 }

@@ -14,6 +14,7 @@ namespace frond {
 namespace {
 
 constexpr double kRadius = 150;            // metres, at least
+constexpr double kEven = 600;              // metres to which what is near is as fine as without a far camera
 constexpr double kBeyond = 50;             // metres from what stands farthest out to the edge, at least
 constexpr double kMostBlades = 1'000'000;  // in all shapes of patches of one mixture
 
@@ -115,9 +116,8 @@ namespace {
 
 double radius_for(double reach) { return std::max(kRadius, reach + kBeyond); }
 
-int rings_for(double radius, int usual) {
-  return static_cast<int>(std::lround(usual * std::sqrt(radius / kRadius)));
-}
+/// The mesh of the lawn, `rings` of it where it is as small as can be.
+GroundDisc disc_for(double radius, int rings) { return GroundDisc{kRadius, rings}.reaching(radius, kEven); }
 
 /// The level of a pond, as far as its shore may reach.
 Surface water_of(const PondShape& pond) {
@@ -139,8 +139,8 @@ Surface water_of(const PondShape& pond) {
 
 Lawn::Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double reach, Seed seed)
     : shape_(shape), quality_(quality), radius_(radius_for(reach)), seed_(seed) {
-  lay(ground_surface(Ground{seed.child("ground"), floor.relief, floor.scale}, Vec2(0), radius_,
-                     rings_for(radius_, 110)));
+  lay(ground_surface(Ground{seed.child("ground"), floor.relief, floor.scale}, Vec2(0),
+                     disc_for(radius_, 110)));
 }
 
 Lawn::Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double reach, Plot plot, int lilies,
@@ -159,7 +159,7 @@ Lawn::Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double r
     double lawn = ground_height(dunes, at.x, at.y) * (1 - smooth_step(0.6, 1.0, glm::length(at) / radius_));
     return plot_.height(at, lawn);
   };
-  lay(ground_surface(height, Vec2(0), radius_, rings_for(radius_, 150)));
+  lay(ground_surface(height, Vec2(0), disc_for(radius_, 150)));
   if (plot_.has_pond()) water_ = water_of(plot_.pond());
 }
 

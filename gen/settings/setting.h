@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <typeinfo>
 #include <vector>
 
 #include "core/result.h"
@@ -194,11 +195,10 @@ class Grounds {
   Heights heights_;
 };
 
-/// The ground of a setting whose type is known; it is our own mistake where it is another.
+/// The ground of a setting whose type is known; std::bad_cast, our own mistake, where it is another.
 template <class Known>
 const Known& ground_as(const Grounds& ground) {
-  assert(dynamic_cast<const Known*>(&ground));
-  return static_cast<const Known&>(ground);
+  return dynamic_cast<const Known&>(ground);
 }
 
 /// The daylight of a sky, over a ground of that visible colour; `matt`: the linear colour that it reflects;

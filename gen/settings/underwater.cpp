@@ -31,6 +31,7 @@ constexpr int kStoneShapes = 5;
 constexpr int kRockLooks = 3;
 constexpr Color kSand{0.78f, 0.72f, 0.58f}, kStone{0.47f, 0.45f, 0.40f};
 constexpr double kFloorRadius = 32;  // metres, at least: as far as the water lets one see
+constexpr double kEvenFloor = 512;   // metres to which what is near is as fine as without a far camera
 constexpr double kFloorBeyond = 4;   // metres from what stands farthest out to the edge, at least
 constexpr double kSownSize = 44;     // metres, a square within that
 
@@ -77,8 +78,8 @@ int stone_detail(Quality quality) { return quality == Quality::best ? 5 : 4; }
 SeaFloor::SeaFloor(const Floor& floor, Quality quality, double reach, Seed seed)
     : loose_(floor), seed_(seed) {
   double radius = std::max(kFloorRadius, reach + kFloorBeyond);
-  int rings = static_cast<int>(std::lround(60 * std::sqrt(radius / kFloorRadius)));
-  lay(ground_surface(Ground{seed.child("ground"), floor.relief, floor.scale}, Vec2(0), radius, rings));
+  lay(ground_surface(Ground{seed.child("ground"), floor.relief, floor.scale}, Vec2(0),
+                     GroundDisc{kFloorRadius, 60}.reaching(radius, kEvenFloor)));
   for (int i = 0; i < kStoneShapes; ++i) {
     Seed own = seed.child("stone shape", static_cast<std::uint64_t>(i));
     shapes_.push_back({own, own.child("roughness").range(0.3, 0.6), own.child("flatness").range(0.2, 0.45)});

@@ -8,6 +8,7 @@
 #include "core/files.h"
 #include "core/printable.h"
 #include "preset/json.h"
+#include "studio/grammar_files.h"
 
 namespace frond {
 
@@ -15,11 +16,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// All texts of a preset that look like names of files.
+/// All texts of a preset that may be names of files: those with an ending.
 void find_names(const Value& value, std::vector<const Value*>& names) {
-  constexpr std::string_view kTypes[] = {".obj", ".svg", ".png", ".xml", ".json"};
-  auto ends = [&](std::string_view type) { return value.text.ends_with(type); };
-  if (value.is(Value::Type::text) && std::ranges::any_of(kTypes, ends)) names.push_back(&value);
+  if (value.is(Value::Type::text) && fs::path(value.text).has_extension()) names.push_back(&value);
   for (const Value& item : value.items) find_names(item, names);
   for (const Member& member : value.members)
     if (member.name != "$schema") find_names(member.value, names);
@@ -82,6 +81,7 @@ Result<std::string> carried(const std::string& text, const fs::path& from, const
                             const std::function<bool(const fs::path&)>& readable) {
   return renamed(text, from, [&](const fs::path& file) -> Result<std::string> {
     if (!readable(file)) return std::string();
+    if (file.extension() == ".l") return put_grammar(to, file);
     Result<std::string> content = read_file(file);
     return content ? put_beside(to, file.filename().string(), *content) : content;
   });

@@ -31,25 +31,32 @@ std::string_view header_of(std::string_view head, std::string_view name);
 /// The method of a request and what it asks for: "GET" and "/api/ping?token=ab".
 std::pair<std::string_view, std::string_view> asked_for(std::string_view head);
 
-/// A web server that gives a connection a thread only when the whole head of a request has come. Before that
-/// connections wait in one place, so many of them and each for so long, so that nobody can keep others out by
-/// asking slowly. Those who bear no token share a few threads of their own.
+/// A web server that gives a connection a thread only when a whole request has come, with its body. Before
+/// that connections wait in one place, so many of them, each for so long, and with so many bytes, so that
+/// nobody can keep others out by asking slowly. Who takes an answer slowly keeps a thread only while no other
+/// needs it. Those who bear no token share a few threads of their own. Whatever goes wrong in an answer, as
+/// where memory runs out, ends that connection alone.
 class Connections : public httplib::Server {
  public:
   struct Limits {
     std::size_t open = 256;          ///< that wait; where there are more the oldest goes, the known last
     std::size_t head = 32 << 10;     ///< bytes
+    std::size_t held = 128 << 20;    ///< bytes of requests that wait for their ends, of all connections
     std::chrono::seconds first{10};  ///< in which a head has to come, from the connection or its first byte
     std::chrono::seconds idle{300};  ///< until the next request of one that is known
     std::chrono::seconds patience{30};  ///< that the known may rest while they send or take
+    std::chrono::seconds hurried{2};    ///< that they may rest while they take where others wait for a thread
     std::chrono::seconds served{5};     ///< in which the unknown have to take what they get
     int known = 24, unknown = 8;        ///< threads
   };
 
   /// Asked of each head before anything else is done.
   std::function<Caller(std::string_view head)> caller;
-  /// Whether a request is refused by its head: the connection ends with the answer, and no body is read.
+  /// Whether a request is refused by its head: the connection ends with the answer, and no body is read. The
+  /// head may be all that is known of it yet.
   std::function<bool(const httplib::Request&)> refuses;
+  /// Called once when serving ends, before what is being answered is waited for. May be empty.
+  std::function<void()> leaves;
   Limits limits;
 
   /// Serves what was bound until `ends`, a file, can be read. False where it cannot.
@@ -64,6 +71,7 @@ class Connections : public httplib::Server {
     bool leaving = false;       // answered for good; what still comes is read, so that the answer arrives
     Clock::time_point until{};  // when it is closed
     std::string come{};         // of the next request
+    std::size_t whole = 0;      // bytes that it has with its body; 0: its head has not come yet
   };
   /// Threads that serve one sort of callers.
   struct Crew {
@@ -73,20 +81,29 @@ class Connections : public httplib::Server {
   };
   using Waiting = std::list<Connection>;
 
+  void turn(int ends);
   void accept_all();
   void take_back();
   void make_room();
   void look_after(Waiting::iterator connection);
   bool hear(Connection& connection);
   bool hand_over(Connection& connection);
+  bool read_head(Connection& connection, std::size_t end);
+  void leave(Connection& connection, std::string_view status, std::string_view why);
+  Waiting::iterator longest();
+  void hold_less();
+  void close_longest();
   void work(Crew& crew);
   void answer(Connection connection);
+  void give_back(Connection connection);
   int milliseconds_to_wait() const;
   void close_late();
 
   Waiting waiting_;  // the oldest first; this and the next are for the thread of serve() alone
   Clock::time_point deaf_until_{};
   int wake_ = -1;  // can be read when there is something in served_
+  bool asked_to_end_ = false;
+  std::vector<char> part_;  // that is read at a time
 
   std::mutex in_work_;  // guards all below
   bool ending_ = false;

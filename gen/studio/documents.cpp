@@ -9,6 +9,7 @@
 #include "core/files.h"
 #include "preset/json.h"
 #include "studio/carry.h"
+#include "studio/grammar_files.h"
 
 namespace frond {
 
@@ -17,8 +18,14 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uintmax_t kLargestFile = 8 << 20;  // bytes of a preset's file
+constexpr const char* kSaveFirst =
+    "save the preset under a name of your own first: what is written lies beside it, where one that is "
+    "shipped "
+    "does not look";
 
 std::optional<fs::path> without_links(const fs::path& path) {
+  // The system takes a name to end at a NUL: what is judged would not be what is opened.
+  if (path.native().find('\0') != std::string::npos) return std::nullopt;
   std::error_code error;
   fs::path real = fs::weakly_canonical(fs::absolute(path, error), error);
   if (error) return std::nullopt;
@@ -81,11 +88,11 @@ std::optional<std::string> title_of(const fs::path& file) {
 }  // namespace
 
 Documents::Documents(const StudioOptions& options)
-    : presets_(*without_links(options.home / "presets")),
-      gallery_(*without_links(options.home / "docs/gallery")) {
+    : presets_(*without_links(options.home / "presets")), docs_(*without_links(options.home / "docs")) {
   if (options.preset) preset_ = without_links(*options.preset);
   folder_ = preset_ ? preset_->parent_path() : *without_links(".");
   if (options.assets) assets_ = without_links(*options.assets);
+  made_ = std::make_shared<MadeFiles>(folder_);
 }
 
 Json Documents::opened() const {
@@ -100,7 +107,7 @@ Json Documents::shipped() const {
     if (file.extension() != ".json") continue;
     std::optional<std::string> title = title_of(file);
     if (!title) continue;
-    std::optional<std::string> picture = picture_of(gallery_, file.lexically_relative(presets_));
+    std::optional<std::string> picture = picture_of(docs_ / "gallery", file.lexically_relative(presets_));
     list.push_back({{"file", file.string()},
                     {"name", file.lexically_relative(presets_).replace_extension().string()},
                     {"title", *title},
@@ -165,13 +172,24 @@ Result<Json> Documents::read(const std::string& file) const {
               {"copy", !own}};
 }
 
-Result<std::string> Documents::gallery_picture(const std::string& name) const {
-  if (name.find('/') != name.npos || !name.ends_with(".jpg"))
-    return Error{name, "is no picture of the gallery"};
-  return read_file(gallery_ / name);
+Result<std::string> Documents::leaf(const std::string& shelf, const std::string& name) const {
+  bool is_page = shelf == "docs";
+  fs::path folder = is_page ? docs_ : docs_ / (shelf == "strip" ? "kinds/pictures" : "gallery");
+  std::optional<fs::path> path = without_links(folder / name);
+  if (!path || !lies_below(*path, folder) || path->extension() != (is_page ? ".md" : ".jpg"))
+    return Error{name, "is not there"};
+  return read_file(*path);
+}
+
+Json Documents::strips() const {
+  Json names = Json::array();
+  for (const fs::path& file : files_in(docs_ / "kinds/pictures"))
+    if (file.extension() == ".jpg") names.push_back(file.stem().string());
+  return names;
 }
 
 Result<Preset> Documents::preset(const Doc& doc, const std::vector<std::string>& sets) const {
+  made_->restore(doc.text);
   // What Frond brings is one folder; of all else only the preset's own and --assets are read.
   fs::path only = assets_.value_or(doc.file.parent_path());
   if (lies_below(doc.file, presets_)) only = lies_below(presets_, folder_) ? folder_ : presets_;
@@ -179,9 +197,9 @@ Result<Preset> Documents::preset(const Doc& doc, const std::vector<std::string>&
 }
 
 std::optional<fs::path> Documents::writable(const std::string& file) const {
-  if (file.empty() || !file.ends_with(".json")) return std::nullopt;
   std::optional<fs::path> path = without_links(folder_ / file);  // an absolute one stays as it is
-  if (!path) return std::nullopt;
+  // A link, too, may lead only to what a preset may be.
+  if (!path || !file.ends_with(".json") || path->extension() != ".json") return std::nullopt;
   return lies_below(*path, folder_) || (assets_ && lies_below(*path, *assets_)) ? path : std::nullopt;
 }
 
@@ -210,6 +228,7 @@ std::optional<Refusal> Documents::save(const std::string& file, const Doc& doc, 
                     [&](const fs::path& named) { return readable(named.string()).has_value(); });
   Result<bool> written = moved ? write_file(*path, *moved) : moved.errors();
   if (!written) return Refusal{500, {{"error", written.errors().front().text()}}};
+  made_->saved(from, *moved);
   saved = {{"file", path->string()},
            {"name", path->filename().string()},
            {"text", *moved},
@@ -217,11 +236,32 @@ std::optional<Refusal> Documents::save(const std::string& file, const Doc& doc, 
   return std::nullopt;
 }
 
+bool Documents::reaches(const fs::path& of) const {
+  std::optional<fs::path> real = without_links(of);
+  return !real || of.empty() || !lies_below(*real, presets_) || lies_below(presets_, folder_);
+}
+
 std::optional<Refusal> Documents::add_file(const std::string& name, const char* type,
-                                           const std::string& content, Json& saved) const {
+                                           const std::string& content, const std::string& of,
+                                           Json& saved) const {
+  if (!reaches(of)) return Refusal{409, {{"error", kSaveFirst}}};
   FolderLock lock(folder_);
   Result<std::string> own = put_beside(folder_, fs::path(name).stem().string() + type, content);
   if (!own) return Refusal{500, {{"error", own.errors().front().text()}}};
+  made_->add(*own, of);
+  saved = {{"file", *own}, {"path", (folder_ / *own).string()}};
+  return std::nullopt;
+}
+
+std::optional<Refusal> Documents::add_grammar(const fs::path& grammar,
+                                              const std::map<std::string, std::string>& texts,
+                                              const std::string& of, Json& saved) const {
+  if (!reaches(of)) return Refusal{409, {{"error", kSaveFirst}}};
+  FolderLock lock(folder_);
+  Result<std::string> own = put_grammar(folder_, grammar, texts);
+  if (!own) return Refusal{500, {{"error", own.errors().front().text()}}};
+  // Of a model its folder.
+  made_->add(own->substr(0, own->find('/')), of);
   saved = {{"file", *own}, {"path", (folder_ / *own).string()}};
   return std::nullopt;
 }

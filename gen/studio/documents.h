@@ -1,11 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "scene/preset.h"
+#include "studio/made_files.h"
 #include "studio/packet.h"
 #include "studio/studio.h"
 
@@ -43,8 +46,11 @@ class Documents {
   std::string disk(const std::string& file) const;
   /// The presets in the folders that may be written, those first that were written last.
   Json own() const;
-  /// The picture of a shipped preset.
-  Result<std::string> gallery_picture(const std::string& name) const;
+  /// A file of the documentation: of the shelf "gallery" the picture of a shipped preset, of "strip" that of
+  /// a property, of "docs" a page, "presets.md" or "kinds/tree.md".
+  Result<std::string> leaf(const std::string& shelf, const std::string& name) const;
+  /// The properties of which there are pictures, each three in a row: `["tree-habit-droop", …]`.
+  Json strips() const;
 
   /// Reads a preset; files that it names only from where it may.
   Result<Preset> preset(const Doc& doc, const std::vector<std::string>& sets = {}) const;
@@ -53,15 +59,26 @@ class Documents {
   /// stands for what the page believes to be there, empty: nothing.
   std::optional<Refusal> save(const std::string& file, const Doc& doc, const std::string& disk,
                               bool overwrite, Json& saved) const;
-  /// Puts a mesh (".obj") or a picture (".png") beside the preset under a name like the one given.
+  /// Puts a mesh (".obj") or a picture (".png") beside the preset under a name like the one given, for the
+  /// preset `of`: see studio/made_files.h.
   std::optional<Refusal> add_file(const std::string& name, const char* type, const std::string& content,
-                                  Json& saved) const;
+                                  const std::string& of, Json& saved) const;
+  /// The same for a grammar with some texts changed, see put_grammar().
+  std::optional<Refusal> add_grammar(const std::filesystem::path& grammar,
+                                     const std::map<std::string, std::string>& texts, const std::string& of,
+                                     Json& saved) const;
+  /// Puts back what was removed because no preset named it, if that text does.
+  void restore(const std::string& text) const { made_->restore(text); }
 
  private:
   /// Where a file that the page names is to be written; empty where it may not be.
   std::optional<std::filesystem::path> writable(const std::string& file) const;
 
-  std::filesystem::path presets_, gallery_, folder_;
+  /// Whether a preset may read what lies in the folder of one's own.
+  bool reaches(const std::filesystem::path& of) const;
+
+  std::filesystem::path presets_, docs_, folder_;
+  std::shared_ptr<MadeFiles> made_;
   std::optional<std::filesystem::path> preset_, assets_;
 };
 

@@ -5,13 +5,14 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/files.h"
 #include "core/text.h"
 #include "core/work_folder.h"
+#include "export/export_scene.h"
 #include "export/formats.h"
 #include "render/process.h"
+#include "studio/answers.h"
 #include "studio/carry.h"
 
 namespace frond {
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kMostExports = 1000;
+constexpr int kKeys = 12;  // shapes of an animation, as `frond export` has it
 
 bool known(const std::string& type) {
   return type == ".inc" ||
@@ -41,8 +43,46 @@ Result<fs::path> free_path(const Documents& documents, const std::string& name, 
 
 }  // namespace
 
-Result<fs::path> export_doc(const Documents& documents, const fs::path& home, const Doc& doc, double time,
-                            const std::string& type) {
+ExportOrder export_order(const Json& question) {
+  ExportOrder order;
+  order.type = question.value("type", order.type);
+  order.time = question.value("time", order.time);
+  order.detail = std::clamp(question.value("detail", order.detail), 100.0, 1e8);
+  order.levels = static_cast<int>(std::clamp(question.value("levels", 1.0), 1.0, 6.0));
+  order.wind = question.value("wind", false) && order.type == ".glb";
+  if (order.wind || order.type != ".glb") order.levels = 1;
+  return order;
+}
+
+Json export_size(const Scene& scene, const ExportOrder& order) {
+  constexpr double kVertexBytes = 36, kTriangleBytes = 12;  // place, normal, picture and tint; three numbers
+  constexpr double kShiftBytes = 24;
+  ExportOptions options;
+  options.detail = order.detail;
+  double first = estimate_export(scene, options).triangles;
+  options.levels = order.levels;
+  if (order.wind) options.keys.resize(kKeys);
+  ExportSize size = estimate_export(scene, options);
+  Json triangles = Json::array();
+  for (int level = 0; level < order.levels; ++level) triangles.push_back(first * std::pow(kCoarser, level));
+  std::size_t sown = 0;
+  for (const SownStand& stand : scene.stands) sown += stand.copies.size();
+  double bytes = kVertexBytes * size.vertices + kTriangleBytes * size.triangles + kShiftBytes * size.shifts +
+                 size.pictures;
+  return {{"triangles", triangles}, {"vertices", size.vertices}, {"bytes", bytes}, {"sown", sown}};
+}
+
+Answer export_size(const Documents& documents, Scenes& scenes, const Doc& doc, const ExportOrder& order) {
+  Result<Preset> preset = documents.preset(doc);
+  if (!preset) return wrong(preset.errors());
+  Result<std::shared_ptr<const Scene>> scene = scenes.scene(doc, std::move(*preset), [] { return false; });
+  if (!scene) return wrong(scene.errors());
+  return {200, export_size(**scene, order), {}};
+}
+
+Result<fs::path> export_doc(const Documents& documents, const fs::path& home, const Doc& doc,
+                            const ExportOrder& order) {
+  const std::string& type = order.type;
   if (!known(type)) return Error{"", fmt::format("\"{}\" is no format of exports", type)};
   Result<Preset> preset = documents.preset(doc);
   if (!preset) return preset.errors();
@@ -54,12 +94,19 @@ Result<fs::path> export_doc(const Documents& documents, const fs::path& home, co
   WorkFolder work;
   fs::path copy = work.path() / (name + ".json"), log = work.path() / "log";
   if (Result<bool> written = write_file(copy, *text); !written) return written.errors();
-  const Film& film = preset->film;
-  int frame = std::clamp(static_cast<int>(std::lround(time * film.fps)) + 1, 1, film.frames);
+  int frame = frame_at(preset->film, order.time);
   int told = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
   Command command;
   command.words = {own_program().string(), "export", copy.string(), "--out", path->string(), "--quiet"};
-  if (type != ".inc") command.words.insert(command.words.end(), {"--frame", std::to_string(frame)});
+  auto add = [&](std::string_view option, std::string value) {
+    command.words.insert(command.words.end(), {std::string(option), std::move(value)});
+  };
+  if (type != ".inc" && type != ".vdb") add("--detail", fmt::format("{:.0f}", order.detail));
+  if (order.levels > 1) add("--lods", std::to_string(order.levels));
+  if (bool moves = order.wind && preset->film.frames > 1; moves)
+    add("--frames", fmt::format("1-{}", preset->film.frames));
+  else if (type != ".inc")
+    add("--frame", std::to_string(frame));
   command.environment = {"FROND_HOME=" + fs::absolute(home).string()};
   command.out = command.err = told;
   command.apart = true;

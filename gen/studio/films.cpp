@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <system_error>
 #include <thread>
 
 #include "core/files.h"
@@ -17,6 +18,7 @@
 #include "core/text.h"
 #include "jobs/jobs.h"
 #include "render/process.h"
+#include "studio/answers.h"
 #include "studio/carry.h"
 
 namespace frond {
@@ -29,6 +31,7 @@ constexpr const char* kOrder = "film.json";
 constexpr const char* kPreset = "preset.json";
 constexpr const char* kRun = "frond.log";
 constexpr int kMostFilms = 1000;
+constexpr int kMostFrames = 1'000'000'000;
 constexpr int kRoughWide = 240, kRoughFrames = 12;
 constexpr int kWell = 0;                                  // the exit code
 constexpr std::string_view kTransparent = "transparent";  // of what is told of a preset
@@ -137,11 +140,11 @@ void Films::find_earlier() {
     auto job = std::make_shared<Job>();
     try {
       const Json& order = json.at("order");
-      job->order = {order.at("size"), order.at("quality"), order.at("range"), order.at("rough"),
+      job->order = {size_in(order), order.at("quality"), order.at("range"), order.at("rough"),
                     order.at("farm")};
-      job->told = json.at("told");
-      job->rough_sets = json.at("rough");
-    } catch (const Json::exception&) {
+      job->told = json.at("told"), job->rough_sets = json.at("rough");
+      (void)whole_number(job->told.at("frames"), "frames", 1, kMostFrames);
+    } catch (const std::exception&) {
       continue;  // another version's
     }
     job->id = folder.filename(), job->folder = folder;
@@ -204,10 +207,26 @@ std::shared_ptr<Films::Job> Films::find(const std::string& id) {
 void Films::start(const std::shared_ptr<Job>& job) {
   if (job->thread.joinable()) job->thread.join();  // it has ended
   job->state = "waiting", job->phase.clear(), job->message.clear(), job->stop = false;
-  job->thread = std::thread([this, job] { work(*job); });
+  try {
+    job->thread = std::thread([this, job] { work(*job); });
+  } catch (const std::system_error&) {
+    job->state = "failed", job->message = "the system gives no thread to render in";
+  }
 }
 
 void Films::work(Job& job) {
+  // Nothing is above this in the thread: memory, too, runs out in an answer.
+  try {
+    make(job);
+  } catch (...) {
+    std::lock_guard lock(in_work_);
+    if (job.state == "rendering") busy_ = false;
+    job.state = "failed", job.message = reason_of(std::current_exception());
+    turn_.notify_all();
+  }
+}
+
+void Films::make(Job& job) {
   auto words = [&](const char* command, const char* into, std::vector<std::string> sets) {
     std::vector<std::string> all{own_program().string(), command, job.preset().string(),
                                  "--out=" + (job.folder / into).lexically_normal().string()};
@@ -281,16 +300,14 @@ Json Films::told(const Job& job) const {
   if (std::vector<int> raw = frames_there(job.folder / "raw"); raw.size() > done) frames = raw;
   int of = job.told.at("frames");
   if (Result<std::string> text = read_file(job.folder / "manifest.json"))
-    if (Result<Manifest> manifest = read_manifest(*text, kPreset))
-      of = static_cast<int>(manifest->frames.size());
+    if (auto manifest = read_manifest(*text, kPreset)) of = static_cast<int>(manifest->frames.size());
   std::error_code error;
   std::string film = film_in(job.folder), plays;
   bool done_with = !film.empty() && !job.at_work();
   std::string played = film_file(job.played());
-  if (done_with && fs::exists(job.folder / played, error))
-    plays = played;
-  else if (fs::exists(job.folder / "rough" / played, error))
-    plays = "rough." + std::string(job.played());
+  bool whole = done_with && fs::exists(job.folder / played, error);
+  if (whole || fs::exists(job.folder / "rough" / played, error))
+    plays = whole ? played : "rough." + std::string(job.played());
   Json answer{{"id", job.id},
               {"folder", job.folder.string()},
               {"state", job.state == "farm" && done_with ? "done" : job.state},

@@ -54,6 +54,7 @@ class Films {
   Result<std::filesystem::path> make_folder(const Doc& doc) const;
   void start(const std::shared_ptr<Job>& job);
   void work(Job& job);
+  void make(Job& job);
   /// Runs `frond` with these words and waits for its end; its exit code.
   int run(Job& job, const std::vector<std::string>& words);
   Json told(const Job& job) const;

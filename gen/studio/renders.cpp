@@ -3,25 +3,25 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <iterator>
+#include <system_error>
 
 #include "core/files.h"
 #include "core/frame_name.h"
 #include "core/parallel.h"
 #include "core/text.h"
+#include "core/wanted.h"
 #include "film/film_files.h"
 #include "jobs/jobs.h"
+#include "render/process.h"
 #include "render/traced_view.h"
-
-extern char** environ;
+#include "studio/answers.h"
 
 namespace frond {
 
@@ -35,47 +35,35 @@ constexpr std::size_t kKept = 60;    // renders, the newest
 constexpr double kBytesAPixel = 20;  // of POV-Ray's notes of what it has traced
 constexpr int kPreview = 4;          // times smaller
 constexpr const char* kText = "preset.json";
+constexpr const char* kPicture = "picture.png";
 constexpr int kLeastForPreview = 320;  // pixels wide
 constexpr auto kLook = std::chrono::milliseconds(100);
 constexpr auto kShow = std::chrono::seconds(1);  // from one picture of what is traced to the next
 
-/// Starts a program with both outputs in a file; 0 where it cannot.
-pid_t spawn(const std::vector<std::string>& words, const fs::path& log, const fs::path& folder,
-            const fs::path& home) {
-  std::vector<char*> list;
-  for (const std::string& word : words) list.push_back(const_cast<char*>(word.c_str()));
-  list.push_back(nullptr);
-  std::error_code error;
-  std::string own[] = {"FROND_THREADS=" + std::to_string(thread_count()),
-                       "FROND_HOME=" + fs::absolute(home, error).string()};
-  std::vector<char*> environment;
-  for (std::string& variable : own) environment.push_back(variable.data());
-  for (char** variable = environ; *variable; ++variable) {
-    std::string_view text = *variable;
-    if (!text.starts_with("FROND_THREADS=") && !text.starts_with("FROND_HOME="))
-      environment.push_back(*variable);
+/// A program at work, which ends with this at the latest.
+class Running {
+ public:
+  explicit Running(pid_t process) : process_(process) {}
+  ~Running() {
+    if (process_ == 0) return;
+    kill(process_, SIGKILL);
+    waitpid(process_, nullptr, 0);
   }
-  environment.push_back(nullptr);
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&files, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  posix_spawn_file_actions_adddup2(&files, 1, 2);
-  posix_spawn_file_actions_addchdir_np(&files, folder.c_str());
-  // The program's own signals are handled by a thread of it: none is blocked for others.
-  posix_spawnattr_t settings;
-  posix_spawnattr_init(&settings);
-  sigset_t none;
-  sigemptyset(&none);
-  posix_spawnattr_setsigmask(&settings, &none);
-  posix_spawnattr_setpgroup(&settings, 0);
-  posix_spawnattr_setflags(&settings, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
-  pid_t child = 0;
-  int failed = posix_spawn(&child, list[0], &files, &settings, list.data(), environment.data());
-  posix_spawn_file_actions_destroy(&files);
-  posix_spawnattr_destroy(&settings);
-  return failed ? 0 : child;
-}
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+  void end() const { kill(process_, SIGTERM); }
+  /// What it ended with; nothing while it is at work.
+  std::optional<int> status() {
+    int status = 0;
+    if (waitpid(process_, &status, WNOHANG) == 0) return std::nullopt;
+    process_ = 0;
+    return status;
+  }
+
+ private:
+  pid_t process_;
+};
 
 /// POV-Ray's notes of what it has traced of a picture; empty where there are none.
 fs::path notes_of(const fs::path& folder, const std::string& name) {
@@ -128,15 +116,21 @@ Renders::Renders(const Documents& documents, Scenes& scenes, fs::path home)
   if (mkdtemp(name.data())) folder_ = name;
 }
 
+void Renders::end() {
+  {
+    std::lock_guard lock(in_work_);
+    for (auto& job : jobs_) job->cancelled = true;
+  }
+  turn_.notify_all();
+}
+
 Renders::~Renders() {
+  end();
   std::vector<std::shared_ptr<Job>> all;
   {
     std::lock_guard lock(in_work_);
-    ending_ = true;
     all.assign(jobs_.begin(), jobs_.end());
-    for (auto& job : all) job->cancelled = true;
   }
-  turn_.notify_all();
   for (auto& job : all)
     if (job->thread.joinable()) job->thread.join();
   std::error_code error;
@@ -153,8 +147,7 @@ Result<std::string> Renders::begin(Doc doc, double time, std::array<int, 2> size
   if (!preset) return preset.errors();
   job->title = preset->title, job->seed = preset->seed;
   job->lens = preset->stage.camera.aperture.has_value();
-  const Film& film = preset->film;
-  job->frame = std::clamp(static_cast<int>(std::lround(time * film.fps)) + 1, 1, film.frames);
+  job->frame = frame_at(preset->film, time);
   job->preset = std::move(*preset);
   job->doc = std::move(doc);
   job->time = time, job->size = size, job->quality = quality;
@@ -169,7 +162,12 @@ Result<std::string> Renders::begin(Doc doc, double time, std::array<int, 2> size
     std::error_code error;
     fs::remove_all(last->folder, error);
   }
-  job->thread = std::thread([this, job] { work(*job); });
+  try {
+    job->thread = std::thread([this, job] { work(*job); });
+  } catch (const std::system_error&) {
+    jobs_.remove(job);
+    return Error{"", "the system gives no thread to render in"};
+  }
   return job->id;
 }
 
@@ -186,7 +184,13 @@ void Renders::work(Job& job) {
   }
   Errors errors;
   if (!job.cancelled) {
-    errors = make(job);
+    // Nothing is above this in the thread: memory, too, runs out in an answer.
+    try {
+      errors = make(job);
+    } catch (...) {
+      errors = {Error{"", reason_of(std::current_exception())}};
+    }
+    clear(job);
     std::lock_guard lock(in_work_);
     busy_ = false;
     job.seconds = std::chrono::duration<double>(Clock::now() - job.began).count();
@@ -204,10 +208,13 @@ Errors Renders::make(Job& job) {
     change();
   };
   Result<bool> kept = write_file(job.folder / kText, job.doc.text);
-  Errors errors = kept ? write(job) : kept.errors();
+  Errors errors = kept ? Errors{} : kept.errors();
+  try {
+    if (kept) while_wanted([&] { return job.cancelled.load(); }, [&] { errors = write(job); });
+  } catch (const GivenUp&) {
+  }
   if (kept) set([&] { job.doc.text = {}; });
   scenes_.tidy();
-  fs::path picture = job.folder / "picture.png";
   if (errors.empty() && !job.cancelled) {
     set([&] { job.state = "rendering", job.tracing = Clock::now(); });
     if (job.size[0] >= kLeastForPreview) {
@@ -220,12 +227,22 @@ Errors Renders::make(Job& job) {
     if (errors.empty() && !job.cancelled)
       errors = render(job, job.size, povray_flags(job.quality, job.lens), name);
     std::error_code error;
-    if (errors.empty()) fs::rename(job.folder / "frames" / (name + ".png"), picture, error);
+    if (errors.empty()) fs::rename(job.folder / "frames" / (name + ".png"), job.folder / kPicture, error);
   }
-  std::error_code error;
-  set([&] { job.preview = false, job.picture = fs::exists(picture, error) ? picture : fs::path(); });
-  fs::remove_all(job.folder / "frames", error);
   return errors;
+}
+
+/// Only the picture stays of what was made.
+void Renders::clear(Job& job) {
+  fs::path picture = job.folder / kPicture;
+  std::error_code error;
+  {
+    std::lock_guard lock(in_work_);
+    job.preview = false, job.preset.reset();
+    job.picture = fs::exists(picture, error) ? picture : fs::path();
+  }
+  fs::remove_all(job.folder / "frames", error);
+  scenes_.tidy();
 }
 
 Errors Renders::write(Job& job) {
@@ -257,21 +274,30 @@ Errors Renders::write(Job& job) {
 
 Errors Renders::render(Job& job, std::array<int, 2> size, std::string_view flags, const std::string& name) {
   // This program, even where another was built in its place meanwhile.
-  std::vector<std::string> words{"/proc/self/exe",
-                                 "frame",
-                                 "frames/" + frame_name(job.frame) + ".pov",
-                                 "frames/" + name + ".png",
-                                 fmt::format("{}x{}", size[0], size[1]),
-                                 "--"};
-  std::ranges::move(split(flags, ' '), std::back_inserter(words));
+  Command command;
+  command.words = {"/proc/self/exe",
+                   "frame",
+                   "frames/" + frame_name(job.frame) + ".pov",
+                   "frames/" + name + ".png",
+                   fmt::format("{}x{}", size[0], size[1]),
+                   "--"};
+  std::ranges::move(split(flags, ' '), std::back_inserter(command.words));
+  command.environment = {"FROND_HOME=" + fs::absolute(home_).string(),
+                         fmt::format("FROND_THREADS={}", thread_count())};
+  command.folder = job.folder;
   fs::path log = job.folder / (name + ".log");
-  pid_t child = spawn(words, log, job.folder, home_);
-  if (child == 0) return {Error{words[0], "cannot be started"}};
-  int status = 0;
+  command.out = command.err = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+  command.end_with = SIGTERM;
+  command.apart = true;
+  Result<pid_t> child = start(command);
+  if (command.out >= 0) ::close(command.out);
+  if (!child) return child.errors();
+  Running program(*child);
+  std::optional<int> status;
   bool told = false;
   Clock::time_point show = Clock::now() + kShow;
-  while (waitpid(child, &status, WNOHANG) == 0) {
-    if (job.cancelled && !told) kill(child, SIGTERM), told = true;
+  while (!(status = program.status())) {
+    if (job.cancelled && !told) program.end(), told = true;
     fs::path notes = notes_of(job.folder / "frames", name);
     double share = traced(notes, size);
     {
@@ -285,7 +311,7 @@ Errors Renders::render(Job& job, std::array<int, 2> size, std::string_view flags
     }
     std::this_thread::sleep_for(kLook);
   }
-  if (status == 0 || job.cancelled) return {};
+  if (*status == 0 || job.cancelled) return {};
   Result<std::string> said = read_file(log);
   return {Error{"", said && !said->empty() ? *said : "POV-Ray could not render it"}};
 }

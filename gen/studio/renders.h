@@ -31,12 +31,15 @@ class Renders {
   /// The picture as it is: a small one, over which what is traced is laid, and then the whole.
   Result<std::string> picture(const std::string& id);
   bool cancel(const std::string& id);
+  /// Cancels all of them.
+  void end();
 
  private:
   struct Job;
   std::shared_ptr<Job> find(const std::string& id);
   void work(Job& job);
   Errors make(Job& job);
+  void clear(Job& job);
   Errors write(Job& job);
   Errors render(Job& job, std::array<int, 2> size, std::string_view flags, const std::string& name);
   void show_traced(Job& job, const std::filesystem::path& notes, std::array<int, 2> size);
@@ -46,7 +49,7 @@ class Renders {
   std::filesystem::path home_, folder_;
   std::mutex in_work_;            // guards the jobs
   std::condition_variable turn_;  // one renders at a time
-  bool busy_ = false, ending_ = false;
+  bool busy_ = false;
   std::list<std::shared_ptr<Job>> jobs_;
   int count_ = 0;
 };

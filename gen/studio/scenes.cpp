@@ -9,6 +9,7 @@
 
 #include "core/content.h"
 #include "core/machine.h"
+#include "core/wanted.h"
 #include "estimate/estimate_cost.h"
 #include "export/materials.h"
 #include "grammar/forecast.h"
@@ -36,8 +37,9 @@ constexpr int kLookWide = 360;           // pixels, of a card's picture
 constexpr int kMomentWide = 160;         // pixels, of a moment of a film
 constexpr double kLongestLook = 8;       // seconds of growing for that
 constexpr std::size_t kWorthTidying = std::size_t{128} << 20;
-constexpr std::size_t kShownWord = 4000;    // characters
-constexpr double kLongestWord = 3e6;        // modules
+constexpr std::size_t kShownWord = 4000;  // characters
+constexpr double kLongestWord = 3e6;      // modules
+constexpr std::int64_t kMostSteps = 1'000'000;
 constexpr double kMostLines = 3e4;          // of a drawing of the turtle
 constexpr std::size_t kLargestTree = 2000;  // modules, see derivation_tree_svg()
 
@@ -83,7 +85,7 @@ bool make_coarse(Preset& preset, const std::set<std::size_t>& entries, double sh
 
 ViewRequest request_of(const Json& question) {
   ViewRequest request;
-  request.time = question.value("time", 0.0);
+  request.time = time_in(question);
   if (question.contains("have"))
     for (const Json& id : question["have"])
       if (id.is_string()) request.kept.insert(id.get<std::string>());
@@ -102,7 +104,7 @@ Scenes::Scenes(const Documents& documents, std::size_t memory, BakeOptions bake)
 
 Scenes::Hurry Scenes::hurry_of(const Json& question) {
   if (!question.contains("only") || !question["only"].is_array()) return {};
-  return {numbers(question, "only"), question.value("share", 1.0)};
+  return {numbers(question, "only"), number_in(question, "share", 1, 0, 1)};
 }
 
 std::shared_ptr<Scenes::Session> Scenes::session(const std::string& name) {
@@ -133,7 +135,16 @@ Json Scenes::progress(const std::string& name) {
   return {{"done", tab->done.load()}, {"of", tab->of.load()}};
 }
 
-Result<Json> Scenes::estimate(const Preset& preset, const EntryFilter& only, double seconds) {
+Scenes::Bearable Scenes::bearable(const Json& question) {
+  Bearable most;
+  auto read = [&](const char* name, double& value) {
+    if (question.contains(name) && question[name].is_number()) value = question[name].get<double>();
+  };
+  read("ask", most.seconds), read("most", most.nodes);
+  return most;
+}
+
+Result<Json> Scenes::estimate(const Preset& preset, const EntryFilter& only, const Bearable& most) {
   Preset fresh = preset;
   {
     std::lock_guard lock(in_work_);
@@ -146,7 +157,7 @@ Result<Json> Scenes::estimate(const Preset& preset, const EntryFilter& only, dou
   Machine machine = this_machine(".");
   if (Errors errors = refuse(*estimate, machine); !errors.empty()) return errors;
   double wait = estimate->wait(machine.threads);
-  if (wait <= seconds) return Json(nullptr);
+  if (wait <= most.seconds && estimate->nodes <= most.nodes) return Json(nullptr);
   return Json{{"nodes", estimate->nodes}, {"seconds", wait}, {"memory", estimate->memory}};
 }
 
@@ -193,6 +204,8 @@ Result<std::shared_ptr<const Scene>> Scenes::scene(const Doc& doc, Preset preset
   std::string key = key_of(doc, preset);
   std::shared_ptr<const Built> built = find(key);
   if (!built) {
+    // What the machine has no memory for is refused before it is grown.
+    if (Result<Json> told = estimate(preset, {}, {}); !told) return told.errors();
     auto made = build(key, std::move(preset), {[](auto, auto) {}, [] {}, given_up}, {});
     if (!made) return made.errors();
     built = std::move(*made);
@@ -216,7 +229,7 @@ Result<std::string> Scenes::look(const std::string& file) {
   Result<CostEstimate> estimate = estimate_cost(*preset, 1);
   if (!estimate) return estimate.errors();
   if (estimate->growth_seconds > kLongestLook) return Error{file, "takes long to grow"};
-  auto given_up = [this, views = views_.load()] { return views_ != views; };
+  auto given_up = [this, views = views_.load()] { return ending_ || views_ != views; };
   Result<Scene> scene = build_scene(*preset, {[](auto, auto) {}, [] {}, given_up});
   Result<std::string> png = scene ? png_text(quick_look(*scene, film.time(film.frames))) : scene.errors();
   if (png) pictures_.put(name, std::make_shared<const std::string>(*png), png->size());
@@ -246,7 +259,7 @@ Answer Scenes::view(const Doc& doc, const Json& question, const std::string& nam
   std::shared_ptr<Session> tab = session(name);
   tab->ask(number);
   ++views_;
-  auto given_up = [&] { return tab->newest > number; };
+  auto given_up = [&] { return ending_ || tab->newest > number; };
   std::lock_guard lock(tab->in_work);
   if (given_up()) return stale();
 
@@ -257,10 +270,11 @@ Answer Scenes::view(const Doc& doc, const Json& question, const std::string& nam
   std::string key = key_of(doc, *preset);
   std::shared_ptr<const Built> built = find(key);
   Json grown = Json::array();
+  std::size_t made_bytes = 0;
   Hurry hurry = hurry_of(question);
   if (!built) {
     if (question.contains("ask") && question["ask"].is_number()) {
-      Result<Json> told = estimate(*preset, hurry.only, question["ask"].get<double>());
+      Result<Json> told = estimate(*preset, hurry.only, bearable(question));
       if (!told) return wrong(told.errors(), notes);
       if (!told->is_null()) return {202, {{"estimate", *told}}, {}};
     }
@@ -271,15 +285,21 @@ Answer Scenes::view(const Doc& doc, const Json& question, const std::string& nam
     if (!made) return wrong(made.errors(), notes);
     built = *made;
     grown = built->scene.grown;
+    made_bytes = built->scene.bytes();  // growing takes as much again, and more, for a while
   }
   double grow = seconds_since(start);
   Json header{{"seconds", {{"grow", grow}}}, {"regrown", grown},  {"missing", built->scene.missing},
               {"coarse", built->coarse},     {"sky", built->sky}, {"notes", Json::array()}};
   for (const Error& note : notes) header["notes"].push_back(note.text());
   for (const std::string& note : built->scene.notes) header["notes"].push_back(note);
-  Result<std::string> packet =
-      view_of(built->scene, built->preset, request_of(question), models_, std::move(header));
-  if (packet) tidy_at_times(packet->size());
+  Result<std::string> packet = Error{"", "given up"};
+  try {
+    while_wanted(given_up, [&] {
+      packet = view_of(built->scene, built->preset, request_of(question), models_, std::move(header));
+    });
+  } catch (const GivenUp&) {
+  }
+  if (packet) tidy_at_times(packet->size() + made_bytes);
   if (given_up()) return stale();
   if (!packet) return wrong(packet.errors(), notes);
   return {200, {}, std::move(*packet)};
@@ -288,14 +308,15 @@ Answer Scenes::view(const Doc& doc, const Json& question, const std::string& nam
 Answer Scenes::derive(const Doc& doc, const Json& question) const {
   Result<Preset> preset = documents_.preset(doc);
   if (!preset) return wrong(preset.errors());
-  auto entry = question.value("entry", std::size_t{0});
+  std::size_t entry = index_in(question, "entry", 0);
   if (entry >= preset->organisms.size()) return {400, {{"error", "there is no such organism"}}, {}};
   std::optional<Result<Grammar>> grammar = preset->organisms[entry].grower->grammar();
   if (!grammar) return {400, {{"error", "it does not grow by a grammar"}}, {}};
   if (!*grammar) return wrong(grammar->errors());
   const Grammar& rules = **grammar;
   bool asked = question.contains("steps") && question["steps"].is_number();
-  int steps = std::clamp(asked ? question["steps"].get<int>() : rules.text.steps, 0, 1'000'000);
+  int steps =
+      asked ? static_cast<int>(whole_number(question["steps"], "steps", 0, kMostSteps)) : rules.text.steps;
   Seed seed{rules.text.seed};
   Forecast size = forecast(rules, steps, seed, rules.text.limits);
   Json answer{{"steps", steps},

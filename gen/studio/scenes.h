@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -50,6 +51,8 @@ class Scenes {
   Json progress(const std::string& session);
   /// Nobody waits for the answer to that question of a session any more.
   void leave(const std::string& session, std::uint64_t number);
+  /// Nobody waits for anything any more: what grows ends soon.
+  void end() { ending_ = true; }
 
   /// The word of an organism's grammar and what becomes of it.
   Answer derive(const Doc& doc, const Json& question) const;
@@ -93,8 +96,15 @@ class Scenes {
   std::shared_ptr<const Built> find(const std::string& key);
   Result<std::shared_ptr<const Built>> build(const std::string& key, Preset preset, const Watch& watch,
                                              const Hurry& hurry);
-  /// Where growing what is new takes longer than that many seconds, or more than the machine has.
-  Result<Json> estimate(const Preset& preset, const EntryFilter& only, double seconds);
+  /// What is not to be grown unasked: seconds until it is there, and nodes, which are sent and drawn then.
+  struct Bearable {
+    double seconds = kAny, nodes = kAny;
+    static constexpr double kAny = std::numeric_limits<double>::infinity();
+  };
+  static Bearable bearable(const Json& question);
+  /// What growing what is new takes where that is not bearable, else null; an error where it is more than
+  /// the machine has.
+  Result<Json> estimate(const Preset& preset, const EntryFilter& only, const Bearable& most);
 
   /// What `make` makes of the scene of a question at its time: kept, as a tool asks again and again.
   template <class T, class Make>
@@ -117,6 +127,7 @@ class Scenes {
   std::atomic<std::size_t> sent_{0}, tidied_at_{0};  // bytes, see tidy_at_times()
   std::mutex looking_;                               // one at a time
   std::atomic<std::uint64_t> views_{0};              // scenes that were asked for
+  std::atomic<bool> ending_{false};
   std::mutex in_work_;
   std::map<std::string, std::shared_ptr<Session>> sessions_;
   std::set<std::string> known_;  // organisms that were grown once

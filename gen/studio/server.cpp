@@ -5,14 +5,17 @@
 #include <sys/random.h>
 #include <sys/signalfd.h>
 
+#include <charconv>
+
 #include "core/files.h"
 #include "core/machine.h"
 #include "core/parallel.h"
-#include "grammar/symbols.h"
 #include "render/process.h"
+#include "studio/answers.h"
 #include "studio/connections.h"
 #include "studio/exports.h"
 #include "studio/films.h"
+#include "studio/grammar_files.h"
 #include "studio/page.h"
 #include "studio/renders.h"
 #include "studio/scenes.h"
@@ -28,7 +31,6 @@ using httplib::Response;
 
 constexpr const char* kHost = "127.0.0.1";
 constexpr std::size_t kMostMesh = std::size_t{32} << 20, kMostText = std::size_t{8} << 20;  // bytes
-constexpr int kSmallest = 16, kLargest = 8192;  // pixels of a side
 constexpr const char* kPolicy =
     "default-src 'self'; img-src 'self' blob: data:; style-src 'self' 'unsafe-inline'; frame-ancestors "
     "'none'; "
@@ -49,10 +51,12 @@ bool same(std::string_view a, std::string_view b) {
   return differs == 0;
 }
 
-/// What to say of a size that pictures may not have; nothing of others.
-Json refused_size(std::array<int, 2> size) {
-  if (std::min(size[0], size[1]) >= kSmallest && std::max(size[0], size[1]) <= kLargest) return nullptr;
-  return {{"error", fmt::format("sides of a picture are {} to {} pixels", kSmallest, kLargest)}};
+/// The number of a question among those of its tab; 0 where it has none.
+std::uint64_t sequence_of(const Request& request) {
+  std::string text = request.get_param_value("seq");
+  std::uint64_t number = 0;
+  auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && end == text.data() + text.size() ? number : 0;
 }
 
 class Server {
@@ -74,6 +78,7 @@ class Server {
     server_.set_keep_alive_max_count(10'000);
     server_.set_keep_alive_timeout(server_.limits.idle.count());
     server_.caller = [this](std::string_view head) { return caller(head); };
+    server_.leaves = [this] { scenes_.end(), renders_.end(); };
     server_.refuses = [this](const Request& request) { return refusal(request).has_value(); };
     // Another program's port is not to be shared.
     server_.set_socket_options([](socket_t socket) {
@@ -175,17 +180,8 @@ class Server {
       send(response, no->status, no->body);
       return httplib::Server::HandlerResponse::Handled;
     });
-    server_.set_exception_handler([](const Request&, Response& response, std::exception_ptr error) {
-      std::string what = "something that is no exception";
-      try {
-        std::rethrow_exception(error);
-      } catch (const Json::exception&) {
-        return send(response, 400, {{"error", "a value is not of the type that is expected"}});
-      } catch (const std::exception& thrown) {
-        what = thrown.what();
-      } catch (...) {
-      }
-      send(response, 500, {{"error", what}});
+    server_.set_exception_handler([](const Request&, Response& response, const std::exception_ptr& error) {
+      send(response, fault_answer(error));
     });
     add_page();
     add_documents();
@@ -214,16 +210,14 @@ class Server {
            {{"ok", true}, {"started", started_}, {"kept", scenes_.kept()}, {"room", options_.memory}});
     });
     server_.Get("/api/start", [this](const Request&, Response& response) {
-      Json symbols = Json::array();
-      for (const TurtleSymbol& symbol : turtle_symbols())
-        symbols.push_back({{"symbol", symbol.name}, {"doc", symbol.doc}});
       send(response, 200,
            {{"started", started_},
             {"machine", {{"cores", thread_count()}, {"farm", find_program("sbatch").has_value()}}},
             {"schema", Json::parse(preset_schema())},
-            {"symbols", std::move(symbols)},
+            {"symbols", symbols_json()},
             {"preset", documents_.opened()},
-            {"presets", documents_.shipped()}});
+            {"presets", documents_.shipped()},
+            {"strips", documents_.strips()}});
     });
     server_.Get("/api/preset", [this](const Request& request, Response& response) {
       Result<Json> read = documents_.read(request.get_param_value("file"));
@@ -240,8 +234,9 @@ class Server {
       if (!look) return void(response.status = 204);  // a 404 would stand on the browser's console as a fault
       response.set_content(*look, "image/png");
     });
-    server_.Get(R"(/api/gallery/([A-Za-z0-9_.-]+))", [this](const Request& request, Response& response) {
-      send_picture(response, documents_.gallery_picture(request.matches[1]), "image/jpeg");
+    server_.Get(R"(/api/(gallery|strip|docs)/(.+))", [this](const Request& request, Response& response) {
+      const char* type = request.matches[1] == "docs" ? "text/plain; charset=utf-8" : "image/jpeg";
+      send_picture(response, documents_.leaf(request.matches[1].str(), request.matches[2]), type);
     });
     post("/api/save", [this](const Request&, Response& response, const Json& question, Doc doc) {
       std::string file = question.at("file").get<std::string>();
@@ -258,6 +253,7 @@ class Server {
       send(response, 200, saved);
     });
     server_.Get("/api/painted", [this](const Request& request, Response& response) {
+      documents_.restore(request.get_param_value("file"));
       auto file = documents_.readable(request.get_param_value("file"));
       if (!file || file->extension() != ".png")
         return send(response, 403, {{"error", "no such picture may be read"}});
@@ -269,7 +265,8 @@ class Server {
         if (!request.body.starts_with(begin))
           return send(response, 400, {{"error", "the file is no picture"}});
         Json saved;
-        if (auto refusal = documents_.add_file(request.get_param_value("name"), type, request.body, saved))
+        if (auto refusal = documents_.add_file(request.get_param_value("name"), type, request.body,
+                                               request.get_param_value("of"), saved))
           return send(response, refusal->status, refusal->body);
         send(response, 200, saved);
       });
@@ -277,15 +274,13 @@ class Server {
 
   void add_scenes() {
     post("/api/scene", [this](const Request& request, Response& response, const Json& question, Doc doc) {
-      std::uint64_t number = std::strtoull(request.get_param_value("seq").c_str(), nullptr, 10);
-      send(response, scenes_.view(doc, question, request.get_param_value("session"), number));
+      send(response, scenes_.view(doc, question, request.get_param_value("session"), sequence_of(request)));
     });
     server_.Get("/api/scene", [this](const Request& request, Response& response) {
       send(response, 200, scenes_.progress(request.get_param_value("session")));
     });
     server_.Delete("/api/scene", [this](const Request& request, Response& response) {
-      std::uint64_t number = std::strtoull(request.get_param_value("seq").c_str(), nullptr, 10);
-      scenes_.leave(request.get_param_value("session"), number);
+      scenes_.leave(request.get_param_value("session"), sequence_of(request));
       send(response, 200, {{"ok", true}});
     });
     post("/api/pick", [this](const Request&, Response& response, const Json& question, Doc doc) {
@@ -294,8 +289,14 @@ class Server {
     post("/api/derive", [this](const Request&, Response& response, const Json& question, Doc doc) {
       send(response, scenes_.derive(doc, question));
     });
+    using Act = Answer (*)(const Documents&, const Json&);
+    for (auto [path, act] : {std::pair<const char*, Act>("/api/grammar", grammar_files),
+                             {"/api/grammar/change", changed_grammar}})
+      post(path, [this, act](const Request&, Response& response, const Json& question, Doc) {
+        send(response, act(documents_, question));
+      });
     post("/api/ball", [this](const Request&, Response& response, const Json& question, Doc doc) {
-      Result<std::string> ball = scenes_.ball(doc, question.at("entry").get<std::size_t>());
+      Result<std::string> ball = scenes_.ball(doc, index_in(question, "entry", 0));
       if (!ball) return void(response.status = 204);  // as of /api/look
       response.set_content(*ball, "image/png");
     });
@@ -309,18 +310,18 @@ class Server {
 
   void add_renders() {
     post("/api/render", [this](const Request&, Response& response, const Json& question, Doc doc) {
-      auto size = question.at("size").get<std::array<int, 2>>();
-      if (Json refused = refused_size(size); !refused.is_null()) return send(response, 400, refused);
-      Result<std::string> id = renders_.begin(std::move(doc), question.value("time", 0.0), size,
+      Result<std::string> id = renders_.begin(std::move(doc), time_in(question), size_in(question),
                                               question.value("quality", "draft"));
       if (!id) return send(response, 422, {{"errors", errors_json(id.errors())}});
       send(response, 200, {{"id", *id}});
     });
     post("/api/export", [this](const Request&, Response& response, const Json& question, Doc doc) {
-      auto path =
-          export_doc(documents_, options_.home, doc, question.value("time", 0.0), question.at("type"));
+      auto path = export_doc(documents_, options_.home, doc, export_order(question));
       if (!path) return send(response, 422, {{"errors", errors_json(path.errors())}});
       send(response, 200, {{"file", path->string()}});
+    });
+    post("/api/export/size", [this](const Request&, Response& response, const Json& question, Doc doc) {
+      send(response, export_size(documents_, scenes_, doc, export_order(question)));
     });
     server_.Get("/api/renders",
                 [this](const Request&, Response& response) { send(response, 200, renders_.list()); });
@@ -344,8 +345,7 @@ class Server {
   void add_films() {
     post("/api/film", [this](const Request&, Response& response, const Json& question, Doc doc) {
       FilmOrder order;
-      order.size = question.at("size").get<std::array<int, 2>>();
-      if (Json refused = refused_size(order.size); !refused.is_null()) return send(response, 400, refused);
+      order.size = size_in(question);
       order.quality = question.value("quality", order.quality), order.frames = question.value("range", "");
       order.rough = question.value("rough", order.rough), order.farm = question.value("farm", order.farm);
       Result<std::string> id = films_.begin(doc, order);
@@ -353,7 +353,7 @@ class Server {
       send(response, 200, {{"id", *id}});
     });
     post("/api/moment", [this](const Request&, Response& response, const Json& question, Doc doc) {
-      Result<std::string> look = scenes_.moment(doc, question.value("time", 0.0));
+      Result<std::string> look = scenes_.moment(doc, time_in(question));
       if (!look) return void(response.status = 204);  // as of /api/look
       response.set_content(*look, "image/png");
     });

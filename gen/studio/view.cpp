@@ -14,6 +14,7 @@
 #include "preset/value.h"
 #include "scene/copies.h"
 #include "scene/far.h"
+#include "settings/forest.h"
 #include "settings/settings.h"
 #include "studio/tiles.h"
 
@@ -116,6 +117,28 @@ Color covered(const Color& color, const LowCover& cover) {
   return depth > 0 ? srgb(static_cast<float>((1 - std::exp(-depth)) / depth) * linear(color)) : color;
 }
 
+/// How much of a place of a forest's floor is trodden, 0..1, by the marks of its mesh: mark_floor() and
+/// mark_mountain().
+float trodden(Vec2 mark, bool mountain) {
+  return mountain ? 1 - glm::smoothstep(0.75f, 1.25f, std::abs(mark.x))
+                  : 1 - glm::smoothstep(-0.3f, 0.3f, mark.x);
+}
+
+/// The colours of a forest's floor, four bytes a corner: its path is bare of what covers the rest; empty for
+/// other settings.
+std::vector<std::uint8_t> floor_colors(const Scene& scene, const Color& bare, const Color& floor) {
+  const auto* forest = dynamic_cast<const ForestGround*>(scene.ground.get());
+  std::vector<std::uint8_t> colors;
+  if (!forest) return colors;
+  for (const Vec2& mark : forest->floor().uv) {
+    Color c = srgb(glm::mix(linear(floor), linear(bare), trodden(mark, forest->mountain)));
+    for (float x : {c.red, c.green, c.blue})
+      colors.push_back(static_cast<std::uint8_t>(std::lround(255 * std::clamp(x, 0.0f, 1.0f))));
+    colors.push_back(255);
+  }
+  return colors;
+}
+
 void add_ground(const Scene& scene, const Daylight& light, std::vector<DrawnPart>& parts) {
   auto add = [&](Surface shape, const Color& color, std::span<const float> places = {}) {
     DrawnPart& part = parts.emplace_back();
@@ -127,7 +150,10 @@ void add_ground(const Scene& scene, const Daylight& light, std::vector<DrawnPart
     places.empty() ? part.add_surface("", shape) : add_placed(part, shape, places, false);
   };
   if (!scene.ground->floor().triangle.empty()) {
-    add(scene.ground->floor(), covered(light.ground, scene.ground->low_cover()));
+    Color floor = covered(light.ground, scene.ground->low_cover());
+    add(scene.ground->floor(), floor);
+    if (auto colors = floor_colors(scene, light.ground, floor); !colors.empty())
+      parts.back().add("/colors", colors);
     if (std::optional<Tile> tile = tile_of(scene.stage))
       parts.back().head["material"]["tile"] = json_of(*tile);
   } else {
@@ -200,7 +226,7 @@ Errors add_specimens(const Scene& scene, const ViewRequest& request, ViewCache& 
     if (own ? !request.shows(s.entry) : request.solo.has_value()) return;
     auto origin = scene.origins.find(s.entry);
     std::string name;
-    if (origin != scene.origins.end()) {
+    if (origin != scene.origins.end() && !s.load) {  // snow comes from the whole scene
       name = fmt::format("{} {} {} {}", origin->second, s.entry, numbers[i], request.time);
       if ((made[i] = ready.parts.find(name))) return;
     }

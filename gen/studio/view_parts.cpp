@@ -1,6 +1,7 @@
 #include <array>
 #include <map>
 
+#include "draw/bough_snow.h"
 #include "export/materials.h"
 #include "geometry/far.h"
 #include "studio/tiles.h"
@@ -11,6 +12,7 @@ namespace frond {
 namespace {
 
 constexpr std::size_t kManyTriangles = 10'000;  // in all places together: fewer are quick to draw
+constexpr double kSnowPixel = 0.006;            // metres, see bough_snow()
 constexpr std::uint32_t kLoose = 200;  // pieces: a surface of more has no skin that one could simplify
 
 void push(std::vector<float>& to, Vec3 at, Quat turn, Vec3 scale) {
@@ -108,6 +110,26 @@ void add_bodies(const std::vector<DrawnBody>& bodies, std::vector<DrawnPart>& pa
   }
 }
 
+/// The snow on its boughs, as in POV-Ray's pictures but for what is thinner than a view shows.
+void add_bough_snow(const DrawList& drawn, double time, std::vector<DrawnPart>& parts) {
+  BoughSnow snow = bough_snow(drawn, time, kSnowPixel);
+  Json white = material_json({.color = {0.985f, 0.988f, 0.992f}, .gloss = 0.1, .both_sides = true});
+  for (const Surface* surface : {&snow.heaps, &snow.ridges}) {
+    if (surface->triangle.empty()) continue;
+    DrawnPart& part = parts.emplace_back();
+    part.head["kind"] = "mesh";
+    part.head["material"] = white;
+    part.add_surface("", *surface);
+  }
+  if (snow.tufts.empty()) return;
+  std::vector<float> at;
+  for (const OrganPlace& tuft : snow.tufts) push(at, tuft.at, glm::normalize(tuft.turn), tuft.scale);
+  DrawnPart& part = parts.emplace_back();
+  part.head["kind"] = "mesh";
+  part.head["material"] = white;
+  add_placed(part, tuft_surface(), at, false);
+}
+
 }  // namespace
 
 Json material_json(const PlainLook& look) {
@@ -164,6 +186,7 @@ Result<std::vector<DrawnPart>> specimen_parts(const Specimen& specimen, double t
   add_organs(drawn, parts);
   add_blades(drawn, parts);
   add_bodies(drawn.bodies, parts);
+  add_bough_snow(drawn, time, parts);
   return parts;
 }
 

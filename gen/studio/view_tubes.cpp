@@ -3,8 +3,8 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <numeric>
 #include <optional>
+#include <tuple>
 
 #include "core/parallel.h"
 #include "draw/sweep.h"
@@ -71,22 +71,44 @@ std::uint32_t angle_of(Vec3 axis, Bytes4 heading) {
   return static_cast<std::uint32_t>(std::lround(65536 * (turn / static_cast<float>(2 * kPi) + 1))) & 65535u;
 }
 
-/// The largest first, those of like sizes strewn evenly: any number of the first is the best picture that so
-/// many make.
-std::vector<WireSegment> largest_first(const std::vector<WireSegment>& segments) {
-  constexpr std::uint32_t kSizes = 1024, kStrewn = 8;
-  auto rank = [&](std::size_t i) {
-    const WireSegment& s = segments[i];
-    float area = glm::distance(s.from, s.to) * std::max(s.from_radius, s.to_radius);
-    // Four sizes to each power of two; the golden ratio strews.
-    std::uint32_t size = kSizes - 1 - (std::bit_cast<std::uint32_t>(area) >> 21);
-    return kStrewn * size + (static_cast<std::uint32_t>(i) * 2654435769u >> 29);
+/// The segments of a branch from its foot to its tip, which are sent one behind the other.
+struct Axis {
+  std::int32_t parent = -1;  ///< the one that it stands on
+  std::size_t first = 0;     ///< segment
+};
+
+/// The largest branches first, those of like sizes strewn evenly, none before the one that it stands on: any
+/// number of the first segments is a plant that hangs together, the best picture that so many make.
+std::vector<WireSegment> largest_first(const std::vector<WireSegment>& segments,
+                                       const std::vector<Axis>& axes) {
+  struct Rank {
+    std::uint32_t size = 0;   ///< four to each power of two; no larger than that of what it stands on
+    std::uint32_t level = 0;  ///< how many of this size it stands on
+    std::uint32_t strewn = 0;
+    std::size_t axis = 0;
   };
-  std::vector<std::uint32_t> first(kSizes * kStrewn + 1);
-  for (std::size_t i = 0; i < segments.size(); ++i) ++first[rank(i) + 1];
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<WireSegment> sorted(segments.size());
-  for (std::size_t i = 0; i < segments.size(); ++i) sorted[first[rank(i)]++] = segments[i];
+  auto end_of = [&](std::size_t k) { return k + 1 < axes.size() ? axes[k + 1].first : segments.size(); };
+  std::vector<Rank> ranks(axes.size());
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    float area = 0;
+    for (std::size_t i = axes[k].first; i < end_of(k); ++i)
+      area += glm::distance(segments[i].from, segments[i].to) *
+              std::max(segments[i].from_radius, segments[i].to_radius);
+    area /= static_cast<float>(std::max<std::size_t>(1, end_of(k) - axes[k].first));
+    ranks[k] = {std::bit_cast<std::uint32_t>(area) >> 21, 0, static_cast<std::uint32_t>(k) * 2654435769u, k};
+    if (axes[k].parent < 0) continue;
+    const Rank& below = ranks[static_cast<std::size_t>(axes[k].parent)];
+    if (below.size > ranks[k].size) continue;
+    ranks[k].size = below.size, ranks[k].level = below.level + 1;
+  }
+  std::ranges::sort(ranks, [](const Rank& a, const Rank& b) {
+    return std::tuple(b.size, a.level, a.strewn, a.axis) < std::tuple(a.size, b.level, b.strewn, b.axis);
+  });
+  std::vector<WireSegment> sorted;
+  sorted.reserve(segments.size());
+  for (const Rank& rank : ranks)
+    sorted.insert(sorted.end(), segments.begin() + static_cast<std::ptrdiff_t>(axes[rank.axis].first),
+                  segments.begin() + static_cast<std::ptrdiff_t>(end_of(rank.axis)));
   return sorted;
 }
 
@@ -100,17 +122,19 @@ class Weaver {
         colors_(branches),
         longest_(rest_.longest()),
         high_(static_cast<float>(high)),
-        along_(rest_.size()) {
+        along_(rest_.size()),
+        axis_of_(rest_.size(), -1) {
     segments_.reserve(rest_.size() + rest_.size() / 8);
   }
 
+  /// The segments, see largest_first().
   std::vector<WireSegment> weave() && {
     auto n = static_cast<std::int32_t>(rest_.size());
     for (std::int32_t i = 0; i < n; ++i) {
       if (rest_.parent[i] == Skeleton::kRoot || rest_.birth[rest_.parent[i]] >= pose_.front) continue;
       add(i, i + 1 < n && rest_.parent[i + 1] == i && rest_.birth[i] < pose_.front);
     }
-    return std::move(segments_);
+    return largest_first(segments_, axes_);
   }
 
  private:
@@ -121,6 +145,7 @@ class Weaver {
     s.from_radius = pose_.radius[below], s.to_radius = pose_.radius[i];
     float length = glm::distance(s.from, s.to);
     along_[i] = along_[below] + length;
+    axis_of_[i] = axis_of_[below];
     if (!(length > 1e-7f)) return;
     Vec3 heading = (s.to - s.from) / length, from_heading = heading;
     if (below == i - 1 && !segments_.empty() && last_ == below) {
@@ -128,6 +153,8 @@ class Weaver {
     } else {
       if (below != i - 1) s.from_radius = foot_radius(rest_, pose_, i);
       axis_ = first_axis(i);
+      axes_.push_back({axis_of_[below], segments_.size()});
+      axis_of_[i] = static_cast<std::int32_t>(axes_.size()) - 1;
     }
     Vec3 to_heading = goes_on ? heading_at(i, heading) : heading;
     s.from_color = packed(colors_.at(below, i)), s.to_color = packed(colors_.at(i, i));
@@ -190,7 +217,9 @@ class Weaver {
   const Pose& pose_;
   BranchColors colors_;
   float longest_, high_;
-  std::vector<float> along_;  // metres from the root, of each node
+  std::vector<float> along_;           // metres from the root, of each node
+  std::vector<std::int32_t> axis_of_;  // of each node: the one whose segment ends there; -1: none
+  std::vector<Axis> axes_;
   std::vector<WireSegment> segments_;
   std::int32_t last_ = -1;
   Vec3 last_heading_{0}, axis_{1, 0, 0};
@@ -204,7 +233,7 @@ DrawnPart tubes_part(const DrawnBranches& branches) {
   part.head["gloss"] = branches.look().gloss();
   std::optional<Tile> tile = tile_of(branches.look());
   if (tile) part.head["tile"] = json_of(*tile);
-  std::vector<WireSegment> segments = largest_first(Weaver(branches, tile ? tile->high : 1).weave());
+  std::vector<WireSegment> segments = Weaver(branches, tile ? tile->high : 1).weave();
   part.add("/segments", std::span(reinterpret_cast<const std::uint8_t*>(segments.data()),
                                   sizeof(WireSegment) * segments.size()));
   return part;

@@ -3,6 +3,7 @@
 #include <httplib.h>
 
 #include <chrono>
+#include <functional>
 #include <string>
 
 namespace frond {
@@ -11,10 +12,15 @@ namespace frond {
 /// already comes first.
 class Wire final : public httplib::Stream {
  public:
-  /// Nothing is waited for longer than `patience` at a time, nor past `end`.
-  Wire(int socket, std::string come, std::chrono::milliseconds patience,
-       std::chrono::steady_clock::time_point end)
-      : socket_(socket), come_(std::move(come)), patience_(patience), end_(end) {}
+  using Clock = std::chrono::steady_clock;
+  /// How long it is waited for the other side.
+  struct Patience {
+    std::chrono::milliseconds longest, hurried;  ///< at a time; and where others wait for this thread
+    Clock::time_point end;                       ///< and never past it
+  };
+
+  Wire(int socket, std::string come, Patience patience, std::function<bool()> others_wait)
+      : socket_(socket), come_(std::move(come)), patience_(patience), others_wait_(std::move(others_wait)) {}
 
   bool is_readable() const override { return taken_ < come_.size() || ready(true); }
   bool is_writable() const override { return ready(false); }
@@ -26,6 +32,8 @@ class Wire final : public httplib::Stream {
 
   /// What came and was not asked for: the beginning of a next request.
   std::string rest() const { return come_.substr(taken_); }
+  /// Whether any of an answer has been sent.
+  bool has_written() const { return written_; }
 
  private:
   bool ready(bool to_read) const;
@@ -33,8 +41,9 @@ class Wire final : public httplib::Stream {
   int socket_;
   std::string come_;
   std::size_t taken_ = 0;
-  std::chrono::milliseconds patience_;
-  std::chrono::steady_clock::time_point end_;
+  Patience patience_;
+  std::function<bool()> others_wait_;
+  bool written_ = false;
 };
 
 }  // namespace frond

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "creeping/soup.h"
 #include "model/surface.h"
 
 namespace frond {
@@ -24,15 +25,20 @@ DVec3 along_surface(DVec3 direction, DVec3 normal) {
 
 }  // namespace
 
-Obstacles::Obstacles(std::span<const Surface> bodies) {
+Result<Obstacles> Obstacles::build(std::span<const Surface> bodies) {
+  Obstacles obstacles;
   Surface all;
   for (const Surface& body : bodies) {
     if (body.triangle.empty()) continue;
     append(all, body);
-    boxes_.push_back(bounds_of(body.position));
+    obstacles.boxes_.push_back(bounds_of(body.position));
   }
-  Result<Host> host = Host::build(all, "obstacles");
-  if (host) host_ = std::make_shared<const Host>(std::move(*host));
+  if (all.triangle.empty()) return obstacles;
+  Result<Host> host = Host::build(all, "the bodies that branches bend round");
+  if (!host && mend_surface(all).corners.empty()) return Obstacles();
+  if (!host) return host.errors();
+  obstacles.host_ = std::make_shared<const Host>(std::move(*host));
+  return obstacles;
 }
 
 bool Obstacles::near(const Bounds& box) const {

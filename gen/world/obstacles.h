@@ -15,7 +15,8 @@ namespace frond {
 class Obstacles {
  public:
   Obstacles() = default;  ///< none
-  explicit Obstacles(std::span<const Surface> bodies);
+  /// Bodies none of whose triangles has an area are no obstacles. An error where Embree can build no tree.
+  static Result<Obstacles> build(std::span<const Surface> bodies);
 
   /// Whether a box comes near to that of a body.
   bool near(const Bounds& box) const;

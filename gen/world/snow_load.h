@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/curve.h"
+#include "core/seed.h"
 #include "core/vec.h"
 
 namespace frond {
@@ -15,6 +16,7 @@ struct SnowLoad {
   std::vector<float> share;         ///< of each node, of what a level branch of its thickness carries
   std::vector<std::int32_t> bough;  ///< of each node, what drops its snow as one
   std::vector<float> drops;         ///< of each bough, when that is: seconds; infinity: never
+  Seed powder{};                    ///< of what then hangs in the air
 
   /// What is left at a node at a time, 0..1.
   float left(std::size_t node, double time) const {

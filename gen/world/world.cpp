@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/wanted.h"
+
 namespace frond {
 
 namespace {
@@ -27,29 +29,43 @@ std::vector<Surface> World::bodies() const {
   return skins;
 }
 
-Result<std::shared_ptr<const Host>> World::host(const std::vector<std::string>& names,
-                                                std::string_view asker) const {
-  std::scoped_lock lock(hosts_in_work_);
-  std::shared_ptr<const Host>& known = hosts_[names];
-  if (known) return known;
+World::HostOrNot World::build_host(const std::vector<std::string>& names) const {
   Surface all;
   for (const Specimen& s : standing_)
     if (names.empty() || std::ranges::find(names, s.name) != names.end()) append(all, skin_of(s.model));
   if (all.triangle.empty())
     return Error{
-        std::string(asker),
-        fmt::format("nothing stands here{} to grow on; expected a body such as a wall, a rock or a mesh",
-                    names.empty() ? "" : fmt::format(" of \"{}\"", fmt::join(names, "\", \"")))};
-  Result<Host> host = Host::build(all, asker);
+        "", fmt::format("nothing stands here{} to grow on; expected a body such as a wall, a rock or a mesh",
+                        names.empty() ? "" : fmt::format(" of \"{}\"", fmt::join(names, "\", \"")))};
+  Result<Host> host = Host::build(all, "");
   if (!host) return host.errors();
-  known = std::make_shared<const Host>(std::move(*host));
-  return known;
+  return std::make_shared<const Host>(std::move(*host));
 }
 
-std::shared_ptr<const Obstacles> World::obstacles() const {
+Result<std::shared_ptr<const Host>> World::host(const std::vector<std::string>& names,
+                                                std::string_view asker) const {
   std::scoped_lock lock(hosts_in_work_);
-  if (!obstacles_) obstacles_ = std::make_shared<const Obstacles>(bodies());
-  return obstacles_;
+  auto known = hosts_.find(names);
+  // Threads build in a pool that this one is of. What it might take up meanwhile asks here, too, so it takes
+  // up nothing.
+  if (known == hosts_.end()) isolated([&] { known = hosts_.emplace(names, build_host(names)).first; });
+  if (known->second) return known->second;
+  Errors errors = known->second.errors();
+  for (Error& error : errors) error.where = asker;
+  return errors;
+}
+
+Result<std::shared_ptr<const Obstacles>> World::obstacles() const {
+  std::scoped_lock lock(hosts_in_work_);
+  if (obstacles_) return *obstacles_;
+  isolated([&] {
+    Result<Obstacles> built = Obstacles::build(bodies());
+    if (built)
+      obstacles_.emplace(std::make_shared<const Obstacles>(std::move(*built)));
+    else
+      obstacles_.emplace(built.errors());
+  });
+  return *obstacles_;
 }
 
 double World::open_sky(const DVec3& at) const {

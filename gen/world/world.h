@@ -57,12 +57,12 @@ class World {
   std::vector<Surface> bodies() const;
 
   /// The bodies of those names (empty: all) as one host for closest points and rays. Built once per list of
-  /// names. An error that names `asker` if there is no body.
+  /// names, and found once that there is none. An error that names `asker` if there is no body.
   Result<std::shared_ptr<const Host>> host(const std::vector<std::string>& names,
                                            std::string_view asker) const;
 
   /// The bodies, without those of the setting, as what limbs bend round. Made once.
-  std::shared_ptr<const Obstacles> obstacles() const;
+  Result<std::shared_ptr<const Obstacles>> obstacles() const;
 
   /// The share of the sky that bodies leave open above a point, 0..1, each direction weighted by its height.
   double open_sky(const DVec3& at) const;
@@ -75,6 +75,9 @@ class World {
   void settle(Territories territories) { territories_ = std::move(territories); }
 
  private:
+  using HostOrNot = Result<std::shared_ptr<const Host>>;
+  HostOrNot build_host(const std::vector<std::string>& names) const;
+
   TakenSpots taken_;
   Seed seed_;
   std::shared_ptr<const Heights> ground_;
@@ -86,8 +89,8 @@ class World {
   Territories territories_;
   Surface stones_;
   mutable std::mutex hosts_in_work_;
-  mutable std::map<std::vector<std::string>, std::shared_ptr<const Host>> hosts_;
-  mutable std::shared_ptr<const Obstacles> obstacles_;
+  mutable std::map<std::vector<std::string>, HostOrNot> hosts_;
+  mutable std::optional<Result<std::shared_ptr<const Obstacles>>> obstacles_;
 };
 
 /// Food at a time, with the share that is not eaten yet, > 0.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "core/seed.h"
 
@@ -60,6 +61,26 @@ TEST(CellGrid, FindsBoxesAndForgetsWhatWasAddedLast) {
   EXPECT_TRUE(found_near(grid, Vec3(0, 9, 0)).empty());
 }
 
+TEST(CellGrid, FindsTheSameInTheSameOrderHoweverManyThereAre) {
+  constexpr std::uint32_t kMany = 700'000;  // more than it has slots at first
+  auto at = [](std::uint32_t i) { return Vec3(i % 977, i % 311, i % 89) * 0.7f; };
+  CellGrid grid(1);
+  for (std::uint32_t i = 0; i < kMany; ++i) grid.add(at(i), i);
+  for (std::uint32_t asked : {0u, 1u, 54'321u, 699'999u}) {
+    std::vector<std::uint32_t> here, wanted;
+    Vec3 cell = glm::floor(at(asked)) + 0.5f;
+    grid.each(cell, cell, [&](std::uint32_t who) { here.push_back(who); });
+    for (std::uint32_t i = kMany; i-- > 0;)
+      if (glm::floor(at(i)) == glm::floor(at(asked))) wanted.push_back(i);
+    EXPECT_EQ(here, wanted);
+  }
+  grid.shrink(10);
+  std::size_t left = 0;
+  for (std::uint32_t i = 0; i < 12; ++i)
+    grid.each(at(i), at(i), [&](std::uint32_t who) { left += who == i; });
+  EXPECT_EQ(left, 10u);
+}
+
 TEST(Darts, KeepApartAndFillTheRoom) {
   Darts darts(0.4f);
   std::vector<Vec3> taken;
@@ -69,6 +90,18 @@ TEST(Darts, KeepApartAndFillTheRoom) {
     if (free) taken.push_back(at);
   }
   EXPECT_GT(taken.size(), 50u);
+}
+
+TEST(CellGrid, WhatIsFarOffOrNoNumberHasACellToo) {
+  CellGrid grid(0.01f);
+  constexpr float kNone = std::numeric_limits<float>::quiet_NaN(), kEndless = 1e38f;
+  const Vec3 places[] = {{1, 2, 3}, {kEndless, 0, 0}, {0, -kEndless, 1e12f}, {kNone, 0, 0}};
+  for (std::uint32_t i = 0; i < std::size(places); ++i) grid.add(places[i], i);
+  for (std::uint32_t i = 0; i < std::size(places); ++i) {
+    std::vector<std::uint32_t> found;
+    grid.each(places[i], places[i], [&](std::uint32_t who) { found.push_back(who); });
+    EXPECT_TRUE(std::ranges::find(found, i) != found.end()) << i;
+  }
 }
 
 }  // namespace

@@ -1,9 +1,22 @@
 #include "core/growing_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
+#include <atomic>
+
 #include "core/files.h"
+
+namespace {
+std::atomic<int> flushed = 0;
+}  // namespace
+
+/// In place of the C library's, for all that this program calls.
+extern "C" int fsync(int file) {
+  ++flushed;
+  return static_cast<int>(syscall(SYS_fsync, file));
+}
 
 namespace frond {
 namespace {
@@ -44,6 +57,24 @@ TEST_F(GrowingFileTest, LeavesNothingHalfWritten) {
     EXPECT_EQ(files(), 1u);
   }
   EXPECT_EQ(files(), 0u);
+}
+
+TEST_F(GrowingFileTest, IsFlushedToDiskBeforeItIsSeenHoweverLongItIs) {
+  for (std::size_t pieces : {1u, 11u}) {
+    fs::remove_all(folder_);
+    int before = flushed;
+    ASSERT_TRUE(*write(pieces));
+    EXPECT_EQ(flushed, before + 1) << pieces;
+  }
+}
+
+TEST_F(GrowingFileTest, ThatCannotBeWrittenSaysWhyAndLeavesNothing) {
+  ASSERT_TRUE(write_file(folder_ / "a", "no folder").ok());
+  Result<bool> long_one = write(11), short_one = write(1);
+  ASSERT_FALSE(long_one.ok());
+  EXPECT_FALSE(short_one.ok());
+  EXPECT_NE(long_one.errors()[0].what.find("cannot be written: "), std::string::npos);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
 }
 
 }  // namespace

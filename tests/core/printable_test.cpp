@@ -43,5 +43,14 @@ TEST(Printable, ErrorsKeepLineColumnAndPointer) {
   EXPECT_EQ(printable(Error{"p.json:1:2: /", "what"}), "p.json:1:2: /: what");
 }
 
+TEST(Printable, LongNamesBecomeNamesThatFilesMayBearAndStayApart) {
+  std::string name(400, 'a');
+  std::string plain = plain_name(name + "b", "organism"), other = plain_name(name + "c", "organism");
+  EXPECT_EQ(plain.size(), kLongestName);
+  EXPECT_TRUE(plain.starts_with("aaaa"));
+  EXPECT_NE(plain, other);
+  EXPECT_EQ(plain_name(std::string(kLongestName, 'a'), "organism"), std::string(kLongestName, 'a'));
+}
+
 }  // namespace
 }  // namespace frond

@@ -63,7 +63,7 @@ TEST(Spline, SmoothHasNoCornerAndLinesAreKept) {
   for (glm::dvec2 p : places(straight, {.smooth = true})) EXPECT_NEAR(p.y, 2 * p.x, 1e-12);
   for (bool closed : {false, true}) {
     std::vector<Point> points = random_points(6, false, Seed{3});
-    Line line = places(points, {.smooth = true, .closed = closed, .pieces = 400});
+    Line line = places(points, {.smooth = true, .closed = closed, .pieces = 2000});
     std::size_t n = line.size();
     for (std::size_t i = closed ? 0 : 1; i + (closed ? 0 : 1) < n; ++i) {
       glm::dvec2 way = line[(i + 1) % n] - line[i], from = line[i] - line[(i + n - 1) % n];

@@ -31,7 +31,6 @@ TEST(CpfgRead, MistakesHaveTheirLine) {
            {"Axiom: A\nA(1) --> B", "line 3: found `1) --> B`: expected the name of a parameter"},
            {"Axiom: A\nhomomorphism\nA --> F\ndecomposition\nA --> B",
             "line 5: the decomposition comes after the homomorphism"},
-           {"Axiom: A", "the L-system has no production"},
            {"A --> B", "the L-system has no `Axiom:`"},
            {"Axiom: A\nproduction:\nA --> B", "L-Py"},
            {"Axiom: A\nA --> B\nring L-system: 1", "expected `-->`"},

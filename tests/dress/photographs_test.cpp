@@ -97,10 +97,10 @@ TEST_F(Photographs, BarkIsAsTallAsIsSaid) {
 TEST_F(Photographs, AWrongOneIsSaidWithItsFile) {
   std::string file = (top_ / "p.json").string(), bark = (top_ / "bark.png").string(),
               strip = (top_ / "strip.png").string();
-  EXPECT_EQ(
-      said<LeafLook>(R"({"photo": "bark.png"})"),
-      file + ":1:11: /photo: " + bark +
-          ": has no transparency; expected a leaf that was cut out, with nothing but transparency around it");
+  EXPECT_EQ(said<LeafLook>(R"({"photo": "bark.png"})"),
+            file + ":1:11: /photo: " + bark +
+                ": has no transparency; expected a leaf that was cut out, with nothing but transparency "
+                "around it, as a PNG or WebP");
   EXPECT_EQ(said<BarkCoat>(R"({"photo": "strip.png"})"),
             file + ":1:11: /photo: " + strip +
                 ": is 400 x 20 pixels; expected a picture 0.25 to 16 times as tall as wide");

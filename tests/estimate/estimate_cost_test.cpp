@@ -7,6 +7,7 @@
 #include "emit/frame.h"
 #include "emit/setting.h"
 #include "film/soft_light.h"
+#include "settings/meadow.h"
 
 namespace frond {
 namespace {
@@ -219,6 +220,31 @@ TEST(CostEstimate, AViewHasNoLightAndNoText) {
   Machine small;
   small.memory = 1e7;
   EXPECT_EQ(refuse(*estimate_view_cost(preset_at("presets/bush.json")), small).size(), 1u);
+}
+
+TEST(CostEstimate, CountsMasksInMemory) {
+  Preset preset = preset_at("presets/garden/bush.json");
+  double bare = estimate_of(preset).memory(1);
+  Mask& map = preset.stage.block<Meadow>().lawn.map;
+  map.width = map.height = 4096;
+  map.grey = std::make_shared<const std::vector<float>>(4096u * 4096u, 0.5f);
+  double held = 4.0 * 4096 * 4096;
+  EXPECT_GT(estimate_of(preset).memory(1), bare + 0.9 * held);
+  EXPECT_LT(estimate_of(preset).memory(1), bare + 4 * held);
+}
+
+TEST(CostEstimate, RefusesPicturesThatCannotBeResolved) {
+  Preset preset = preset_at("presets/garden/bush.json");
+  preset.film.raw = true, preset.film.frames = 100, preset.film.size = {16384, 16384};
+  Machine machine{.memory = 2e10, .disk = 1e15, .threads = 8};
+  Errors errors = refuse(estimate_of(preset), machine);
+  ASSERT_FALSE(errors.empty());
+  EXPECT_EQ(errors.front().where, "/film/size");
+  EXPECT_NE(errors.front().what.find("--no-resolve"), std::string::npos);
+  preset.film.frames = 1;  // a still is made in bands
+  EXPECT_LT(estimate_of(preset).resolve_memory, 1e10);
+  preset.stage.camera.aperture = 2;
+  EXPECT_GT(estimate_of(preset).resolve_memory, 1e11) << "through a lens light comes from everywhere";
 }
 
 }  // namespace

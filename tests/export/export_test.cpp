@@ -339,7 +339,7 @@ TEST(Formats, refuse_a_scene_of_which_nothing_would_be_written) {
   for (const Format& format : formats()) {
     fs::path path = fs::temp_directory_path() /
                     ("frond_nothing_" + std::to_string(getpid()) + std::string(format.extension));
-    auto written = write_scene(format, scene, 0, kSmallPictures, path, [](double) {});
+    auto written = write_scene(format, scene, 0, kSmallPictures, path, [](const ExportTold&) {});
     ASSERT_FALSE(written) << format.extension;
     EXPECT_EQ(written.errors()[0].where, "");  // of what was asked for, not of the disk
     EXPECT_FALSE(fs::exists(path));
@@ -353,8 +353,8 @@ TEST(Formats, refuse_more_than_they_hold_before_they_make_it) {
     Format small = format;
     small.most_bytes = 1e4;
     double told = 0;
-    auto written =
-        write_scene(small, scene, 0, kSmallPictures, "/nowhere/at/all", [&](double b) { told = b; });
+    auto written = write_scene(small, scene, 0, kSmallPictures, "/nowhere/at/all",
+                               [&](const ExportTold& t) { told = t.bytes; });
     ASSERT_FALSE(written);
     EXPECT_GT(told, 1e4);
     EXPECT_NE(written.errors()[0].what.find("; such a file holds 10 kB at most"), std::string::npos)
@@ -386,7 +386,7 @@ TEST(Formats, leave_nothing_where_the_disk_is_full) {
     fs::path path = folder / ("garden" + std::string(format.extension));
     {
       SmallDisk disk(8192);  // the .mtl would find room
-      auto written = write_scene(format, scene, 2, {.texture = 0}, path, [](double) {});
+      auto written = write_scene(format, scene, 2, {.texture = 0}, path, [](const ExportTold&) {});
       ASSERT_FALSE(written) << format.extension;
       EXPECT_NE(written.errors()[0].where, "") << format.extension;
     }
@@ -400,7 +400,7 @@ TEST(Formats, an_obj_does_not_stay_without_its_materials) {
   fs::path folder = fs::temp_directory_path() / ("frond_no_mtl_" + std::to_string(getpid()));
   fs::create_directories(folder / "garden.mtl" / "in_the_way");
   auto written = write_scene(**format_of("garden.obj"), garden(), 2, kSmallPictures, folder / "garden.obj",
-                             [](double) {});
+                             [](const ExportTold&) {});
   EXPECT_FALSE(written);
   EXPECT_FALSE(fs::exists(folder / "garden.obj"));
   fs::remove_all(folder);
@@ -413,7 +413,8 @@ TEST(Formats, write_whole_files) {
   for (const Format& format : formats()) {
     fs::path path = folder / ("garden" + std::string(format.extension));
     double told = 0;
-    auto written = write_scene(format, scene, 2, kSmallPictures, path, [&](double bytes) { told = bytes; });
+    auto written =
+        write_scene(format, scene, 2, kSmallPictures, path, [&](const ExportTold& t) { told = t.bytes; });
     ASSERT_TRUE(written) << written.errors()[0].text();
     double estimated = format.bytes(estimate_export(scene, kSmallPictures)),
            size = static_cast<double>(fs::file_size(path));

@@ -75,10 +75,25 @@ TEST(Include, ABodyThatGrowsIsSomething) {
   EXPECT_TRUE(text.ok()) << text.errors()[0].text();
 }
 
+TEST(Include, LoopsBeginAnewAndTimesOutsideHold) {
+  Result<std::string> text = include_text(text_of({3, 4, 5}), variants(1));
+  ASSERT_TRUE(text.ok());
+  EXPECT_NE(text->find("max(0, min(2, int((Time - 1)*2 + 0.5)))"), std::string::npos);
+  EXPECT_NE(text->find("#macro Frond_Reed_Loop(Seed, Time)"), std::string::npos);
+  EXPECT_NE(text->find("int((Time - 1)*2 + 0.5 + 1e-6) + 3*1000, 3)"), std::string::npos);
+  EXPECT_NE(text->find("// Frond_Reed_Loop(Seed, Time)"), std::string::npos) << "told in the head";
+}
+
+TEST(Include, MayBeMirroredInAllAxesForItKeepsATransformation) {
+  Result<std::string> text = include_text(text_of({5}), variants(1));
+  ASSERT_TRUE(text.ok());
+  EXPECT_EQ(count_of(*text, "matrix<1,0,0,0,1,0,0,0,1,0,0,0> scale 1/"), 3u) << "each detail";
+}
+
 TEST(Include, OfNothingIsRefused) {
   Result<std::string> text = include_text(text_of({1}), variants(1));
   ASSERT_FALSE(text.ok());
-  EXPECT_EQ(text.errors()[0].what, "nothing is there at frame 1; expected another --frame");
+  EXPECT_EQ(text.errors()[0].what, "nothing has grown yet at frame 1; expected another --frame");
 }
 
 }  // namespace

@@ -24,6 +24,21 @@ TEST(Macros, ThoseCalledAreNamedWithTheirArguments) {
             (std::set<std::string>{"Leaf_Rib(C)", "Tree_Top(A, B)"}));
 }
 
+TEST(Macros, WhatATextDoesNotReachIsNotAmongWhatItReaches) {
+  std::string reached = macros_reached(kFiles, "texture{Tree_Top(1,2)}");
+  EXPECT_NE(reached.find("#macro Tree_Top"), reached.npos);
+  EXPECT_NE(reached.find("#macro Leaf_Skin"), reached.npos) << "by Tree_Top";
+  EXPECT_EQ(reached.find("Leaf_Rib"), reached.npos);
+  EXPECT_EQ(reached.find("Sea_Blue"), reached.npos);
+  EXPECT_EQ(macros_reached(kFiles, "Not_Tree_Top"), "");
+}
+
+TEST(Macros, CommentsAreNotAmongWhatATextReaches) {
+  MacroFiles commented = kFiles;
+  commented[2].second = "// Of water.\n#macro Sea_Blue() // deep\n  // blue\n  rgb z #end\n";
+  EXPECT_EQ(macros_reached(commented, "Sea_Blue()"), "#macro Sea_Blue()\n  rgb z #end\n");
+}
+
 TEST(Macros, GiveWayToAScenesOwn) {
   EXPECT_EQ(macros_text(kFiles, {0}),
             "#ifndef (Leaf_Inc)\n#declare Leaf_Inc = version;\n"

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "geometry/mesh_file.h"
+
 namespace frond {
 namespace {
 

@@ -5,17 +5,31 @@
 namespace frond {
 namespace {
 
-/// All messages for a grammar with these rules, one a line.
-std::string messages(const std::vector<std::string>& rules, const std::string& axiom = "A") {
+/// One a line.
+std::string all_of(const Errors& errors) {
+  std::string all;
+  for (const Error& error : errors) all += error.text() + "\n";
+  return all;
+}
+
+Result<Grammar> compiled(const std::vector<std::string>& rules, const std::string& axiom) {
   GrammarText text;
   text.axiom = axiom;
   text.constants = {{"r", "2"}};
   for (const std::string& rule : rules) text.rules.push_back({rule});
-  Result<Grammar> grammar = compile(text);
-  std::string all;
-  if (grammar) return all;
-  for (const Error& error : grammar.errors()) all += error.text() + "\n";
-  return all;
+  return compile(text);
+}
+
+/// All messages for a grammar with these rules.
+std::string messages(const std::vector<std::string>& rules, const std::string& axiom = "A") {
+  Result<Grammar> grammar = compiled(rules, axiom);
+  return grammar ? "" : all_of(grammar.errors());
+}
+
+/// What is noted of a grammar with these rules, which has no mistake.
+std::string notes(const std::vector<std::string>& rules) {
+  Result<Grammar> grammar = compiled(rules, "A");
+  return grammar ? all_of(grammar->warnings) : "refused: " + all_of(grammar.errors());
 }
 
 struct Mistake {
@@ -60,14 +74,23 @@ TEST(Compile, AllMistakesAreReported) {
     EXPECT_NE(all.find(part), std::string::npos) << all;
 }
 
-TEST(Compile, RulesThatCanNeverMatchAreRefused) {
-  EXPECT_NE(messages({"A -> B", "A -> C"}).find("can never be used"), std::string::npos);
-  EXPECT_NE(
-      messages({"A -> B", "X < A -> C"}).find("rule 2: `X < A -> C` can never be used: `A -> B` (rule 1)"),
-      std::string::npos);
-  EXPECT_NE(messages({"X < A -> B", "X < A : r > 1 -> C"}).find("can never be used"), std::string::npos);
-  EXPECT_EQ(messages({"A ->(1) B", "A ->(2) C"}), "");
-  EXPECT_EQ(messages({"X < A -> B", "A -> C"}), "");
+TEST(Compile, RulesThatCanNeverMatchAreNotedAndStopNothing) {
+  EXPECT_NE(notes({"A -> B", "A -> C"}).find("can never be used"), std::string::npos);
+  EXPECT_NE(notes({"A -> B", "X < A -> C"})
+                .find("rule 2: column 5: `X < A -> C` can never be used: `A -> B` (rule 1)"),
+            std::string::npos);
+  EXPECT_NE(notes({"X < A -> B", "X < A : r > 1 -> C"}).find("can never be used"), std::string::npos);
+  EXPECT_EQ(notes({"A ->(1) B", "A ->(2) C"}).find("can never"), std::string::npos);
+  EXPECT_EQ(notes({"X < A -> B", "A -> C"}).find("can never"), std::string::npos);
+  EXPECT_EQ(messages({"A -> B", "A -> C"}), "");
+  GrammarText past;
+  past.rules = {{"+ < A -> B"}};
+  past.ignore = "+";
+  ASSERT_TRUE(compile(past).ok());
+  EXPECT_NE(all_of(compile(past)->warnings).find("contexts look past"), std::string::npos);
+}
+
+TEST(Compile, ALimitIsAtLeastOne) {
   GrammarText limited;
   limited.rules = {{"A -> B", 2}, {"A -> C"}};
   EXPECT_TRUE(compile(limited).ok());

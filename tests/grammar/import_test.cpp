@@ -158,15 +158,15 @@ TEST(LParser, WhatCannotBeHadIsRefused) {
   struct {
     std::string file, what;
   } const faults[] = {
-      {"1\n30\n20\nA\nA=FA\nnonsense\n", "line 6: `nonsense` is no rule"},
-      {"1\n30\n20\nA\nA=F(x)A\n", "line 5: `(x)`: a parameter in ( ) is a number"},
-      {"1\n30\n20\nA\nA=F(2\n", "line 5: `(2`"},
-      {"1\n30\n20\nA\n<=F\n", "line 5: `<=F`: what this sign means cannot be rewritten"},
-      {"1e99\n30\n20\nA\nA=FA\n", "line 1: `1e99`"},
-      {"inf\n30\n20\nA\nA=FA\n", "line 1: `inf`"},
-      {"1\nx\n20\nA\nA=FA\n", "line 2: `x`: the angle is a number"},
-      {"1\n30\n0\nA\nA=FA\n", "line 3: `0`: the thickness is more than 0"},
-      {"recursion 1\naxiom A\nrule A=F\ndepth 3\n", "line 4: `depth` is no keyword"},
+      {"1\n30\n20\nA\nA=FA\nnonsense\n", "line 6: column 1: `nonsense` is no rule"},
+      {"1\n30\n20\nA\nA=F(x)A\n", "line 5: column 4: `(x)`: a parameter in ( ) is a number"},
+      {"1\n30\n20\nA\nA=F(2\n", "line 5: column 4: `(2`"},
+      {"1\n30\n20\nA\n<=F\n", "line 5: column 1: `<=F`: what this sign means cannot be rewritten"},
+      {"1e99\n30\n20\nA\nA=FA\n", "line 1: column 1: `1e99`"},
+      {"inf\n30\n20\nA\nA=FA\n", "line 1: column 1: `inf`"},
+      {"1\nx\n20\nA\nA=FA\n", "line 2: column 1: `x`: the angle is a number"},
+      {"1\n30\n0\nA\nA=FA\n", "line 3: column 1: `0`: the thickness is more than 0"},
+      {"recursion 1\naxiom A\nrule A=F\ndepth 3\n", "line 4: column 1: `depth` is no keyword"},
       {"angle 3\nrule A=F\n", "there is no axiom"},
       {"1\n30\n", "some are missing"},
   };
@@ -272,7 +272,7 @@ TEST(Houdini, RulesSeeWhereTheTurtleIs) {
   EXPECT_EQ(walk.lengths.size(), 3u);
   EXPECT_EQ(derived(import_houdini("premise: A(1)\ngenerations: 3\nA(i):y<1=F(i)A(i+1)\nA(n):y>=1=F(9)B\n")),
             "F(1)F(9)B");
-  EXPECT_NE(said(import_houdini("premise: A\nA:x>1=F\nA<B=C\n")).find("line 3: x, y and z cannot"),
+  EXPECT_NE(said(import_houdini("premise: A\nA:x>1=F\nA<B=C\n")).find("line 3: column 1: x, y and z cannot"),
             std::string::npos);
 }
 
@@ -283,7 +283,8 @@ TEST(Houdini, SymbolsHaveAnAge) {
   EXPECT_EQ(derived(import_houdini("premise: A\ngenerations: 2\nA=F(g+1)A\n")), "F(1)F(1)A(0)");
   EXPECT_EQ(derived(import_houdini("premise: A(5)\ngenerations: 3\nA(i):g<2=A(i):0\nA(i):g==2=F(i)\n")),
             "F(5)");
-  EXPECT_NE(said(import_houdini("premise: AB\nA<B:g>1=F\n")).find("line 2: g cannot"), std::string::npos);
+  EXPECT_NE(said(import_houdini("premise: AB\nA<B:g>1=F\n")).find("line 2: column 1: g cannot"),
+            std::string::npos);
   EXPECT_NE(said(import_houdini("premise: F(g)A\nA=F\n")).find("the premise cannot use"), std::string::npos);
 }
 
@@ -319,21 +320,21 @@ TEST(Houdini, WhatCannotBeHadIsRefused) {
     const char* list;
     const char* what;
   } const faults[] = {
-      {"premise: A\nA=FA\nnonsense\n", "line 3: `nonsense` is neither"},
+      {"premise: A\nA=FA\nnonsense\n", "line 3: column 1: `nonsense` is neither"},
       {"premise: A\nA=FTA\n", "`T` takes the gravity of the node"},
-      {"premise: A\nA:in(1,2,3)=F\n", "line 2: `in` asks a metaball"},
-      {"premise: A\nA=F(pic(0,0,1))\n", "line 2: `pic` reads a picture"},
-      {"premise: A\nA=F(chan(2))\n", "line 2: `chan` reads a channel"},
-      {"premise: A\nA=F(,2)\n", "line 2: `F(,2)` leaves out a parameter"},
-      {"premise: A\nA=a(\"Cd\",1,0,0)F\n", "line 2: `a(\"…\")` names an attribute"},
-      {"premise: A\nA=`strdup(\"F\")`\n", "line 2: what stands in backquotes"},
+      {"premise: A\nA:in(1,2,3)=F\n", "line 2: column 3: `in` asks whether a place"},
+      {"premise: A\nA=F(pic(0,0,1))\n", "line 2: column 5: `pic` reads a picture"},
+      {"premise: A\nA=F(chan(2))\n", "line 2: column 5: `chan` reads a channel"},
+      {"premise: A\nA=F(,2)\n", "line 2: column 5: `F(,2)` leaves out a parameter"},
+      {"premise: A\nA=a(\"Cd\",1,0,0)F\n", "line 2: column 3: `a(\"…\")` names an attribute"},
+      {"premise: A\nA=`strdup(\"F\")`\n", "line 2: column 3: what stands in backquotes"},
       {"premise: A\nA=F(noise(2))\n", "there is no function `noise`"},
-      {"premise: A\nA=F(2\n", "line 2: a `)` is missing"},
+      {"premise: A\nA=F(2\n", "line 2: column 4: a `)` is missing"},
       {"A=F\n", "there is no `premise: …`"},
       {"#include <lpfgall.h>\nmodule A(float);\nAxiom: A(1);\n",
        "there is no rule `A=…`; this is not a Houdini"},
-      {"premise: A\ngenerations: 1e300\nA=FA\n", "line 2: `generations"},
-      {"premise: A\nseed: -5\nA=FA\n", "line 2: `seed"},
+      {"premise: A\ngenerations: 1e300\nA=FA\n", "line 2: column 1: `generations"},
+      {"premise: A\nseed: -5\nA=FA\n", "line 2: column 1: `seed"},
   };
   for (const auto& [list, what] : faults) {
     std::string error = derived(import_houdini(list));

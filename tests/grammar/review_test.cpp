@@ -19,9 +19,10 @@ std::string refused(const Rules& decomposition) {
 }
 
 TEST(Review, EndlessDecompositionsNameTheirRule) {
-  EXPECT_NE(refused({{"F -> FF"}}).find("decomposition rule 1: `F -> FF` never ends"), std::string::npos);
+  EXPECT_NE(refused({{"F -> FF"}}).find("decomposition rule 1: column 1: `F -> FF` never ends"),
+            std::string::npos);
   EXPECT_NE(refused({{"F -> FX"}}).find("taken apart into `F` again"), std::string::npos);
-  EXPECT_NE(refused({{"A -> B"}, {"B -> XC"}, {"C -> B"}}).find("rule 3: `C -> B` never ends"),
+  EXPECT_NE(refused({{"A -> B"}, {"B -> XC"}, {"C -> B"}}).find("rule 3: column 1: `C -> B` never ends"),
             std::string::npos);
   EXPECT_NE(refused({{"F ->(1) FX"}, {"F ->(2) XF"}}).find("never ends"), std::string::npos);
   EXPECT_NE(refused({{"F(x) : x > 1 -> X"}, {"F(x) -> F(x/2)F(x/2)"}}).find("`F(x)"), 0u);

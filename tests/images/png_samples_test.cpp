@@ -55,5 +55,34 @@ TEST(PngSamples, SayHowManyAnInchThereAre) {
   EXPECT_EQ(read_samples(dense)->data, read_samples(png)->data);
 }
 
+/// A file whose head says another size.
+std::string resized(std::string png, std::uint32_t width, std::uint32_t height) {
+  constexpr std::size_t kType = 12, kLength = 17;  // of what the sum of IHDR is of
+  auto put = [&png](std::size_t at, std::uint32_t value) {
+    for (std::size_t i = 0; i < 4; ++i) png[at + i] = static_cast<char>(value >> (24 - 8 * i) & 0xff);
+  };
+  put(16, width), put(20, height);
+  std::uint32_t sum = ~0u;
+  for (std::size_t i = kType; i < kType + kLength; ++i) {
+    sum ^= static_cast<unsigned char>(png[i]);
+    for (int bit = 0; bit < 8; ++bit) sum = sum >> 1 ^ (sum & 1 ? 0xedb88320u : 0);
+  }
+  put(kType + kLength, ~sum);
+  return png;
+}
+
+TEST(PngSamples, AFileThatPromisesMoreThanItCanHoldIsRefusedBeforeThereIsRoomForIt) {
+  std::string png = *samples_text(some(4, 16));
+  EXPECT_TRUE(read_samples(resized(png, 13, 7)).ok());
+  for (auto [width, height] :
+       {std::pair(60'000u, 60'000u), std::pair(65'537u, 1u), std::pair(2'000'000'000u, 7u)}) {
+    Result<PngSamples> read = read_samples(resized(png, width, height));
+    ASSERT_FALSE(read.ok()) << width;
+    EXPECT_TRUE(read.errors()[0].what.starts_with("no PNG: ")) << read.errors()[0].what;
+    EXPECT_GT(read.errors()[0].what.size(), 12u);
+  }
+  EXPECT_FALSE(read_samples(resized(png, 13, 70)).ok()) << "cut short";
+}
+
 }  // namespace
 }  // namespace frond

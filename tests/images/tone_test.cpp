@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/linear.h"
+#include "core/seed.h"
 #include "images/png_samples.h"
 #include "images/raster.h"
 
@@ -90,6 +91,43 @@ TEST(Tone, OfSeveralExposuresTheLightIsTheMean) {
   }
   EXPECT_EQ(bytes({{0}, {1}}, {})[0], 188) << "half the light is sRGB 188";
   EXPECT_EQ(bytes({{0}, {0}, {0}, {1}}, {})[0], 137) << "a quarter";
+}
+
+/// A picture of many rows, with noise in all of it.
+std::string noisy_png(int width, int height, int channels, std::uint64_t seed) {
+  PngSamples samples{width, height, channels, 16, 45455, {}};
+  samples.data.resize(samples.row() * static_cast<std::size_t>(height));
+  for (std::size_t i = 0; i < samples.data.size(); ++i)
+    samples.data[i] = static_cast<std::uint8_t>(Seed{seed}.child(i).bits());
+  return *samples_text(samples);
+}
+
+TEST(Develop, PicturesThatAreTooLargeToBeHeldAreMadeInBandsAndTheSame) {
+  constexpr int kWide = 37, kHigh = 53;
+  for (int channels : {3, 4})
+    for (int depth : {8, 16})
+      for (std::size_t held : {std::size_t{1}, std::size_t{4 * kWide}, std::size_t{kWide * (kHigh - 1)}}) {
+        std::vector<std::string> pngs{noisy_png(kWide, kHigh, channels, 1),
+                                      noisy_png(kWide, kHigh, channels, 2)};
+        Tone tone{1.5, 1.1};
+        Result<std::string> whole = develop(pngs, tone, depth), bands = develop(pngs, tone, depth, held);
+        ASSERT_TRUE(whole && bands);
+        PngSamples a = *read_samples(*whole), b = *read_samples(*bands);
+        EXPECT_EQ(b.width, kWide);
+        EXPECT_EQ(b.height, kHigh);
+        EXPECT_EQ(b.bits, depth);
+        EXPECT_EQ(a.channels, b.channels);
+        EXPECT_TRUE(a.data == b.data) << channels << " channels of " << depth << " bits, held " << held;
+      }
+}
+
+TEST(Develop, WhatIsWrongWithALargePictureIsTold) {
+  std::string png = noisy_png(20, 30, 3, 1), cut = png.substr(0, png.size() / 2);
+  EXPECT_FALSE(develop(std::vector{cut}, {}, 8, 40)) << "it is cut short";
+  EXPECT_FALSE(develop(std::vector{png, noisy_png(20, 29, 3, 1)}, {}, 8, 40)) << "they differ in size";
+  EXPECT_FALSE(develop(std::vector{png, noisy_png(20, 30, 4, 1)}, {}, 8, 40)) << "one is transparent";
+  EXPECT_FALSE(develop(std::vector{std::string("no picture")}, {}, 8, 1));
+  EXPECT_FALSE(develop(std::vector<std::string>{}, {}));
 }
 
 TEST(Develop, KeepsOpacityAndTheColourOfWhatIsSeenThrough) {

@@ -26,6 +26,8 @@ TEST(JsonQuoted, EscapesQuotesAndControls) {
   EXPECT_EQ(json_quoted("a\"b\\c"), "\"a\\\"b\\\\c\"");
   EXPECT_EQ(json_quoted("line\nbell\a"), "\"line\\nbell\\u0007\"");
   EXPECT_EQ(json_quoted("Féerie"), "\"Féerie\"");
+  // Names of files may be none: the JSON is whole all the same.
+  EXPECT_EQ(json_quoted("b\xe4um\xc3"), "\"b\\ufffdum\\ufffd\"");
 }
 
 }  // namespace

@@ -132,7 +132,7 @@ TEST(Gravel, CoversItsSquare) {
 
 TEST(Heights, AreThoseOfTheMesh) {
   Ground dunes{Seed{5}, 0.6, 3};
-  Surface floor = ground_surface(dunes, Vec2(0), 100, 40);
+  Surface floor = ground_surface(dunes, Vec2(0), {100, 40});
   Heights heights(floor);
   for (std::size_t i = 0; i < floor.position.size(); i += 7) {
     const Vec3& p = floor.position[i];

@@ -4,7 +4,6 @@
 
 #include <set>
 
-#include "geometry/obj.h"
 #include "organisms/column/column.h"
 #include "organisms/kinds.h"
 #include "organisms/mesh/mesh.h"
@@ -55,8 +54,8 @@ TEST(Host, MeshIsScaledToItsSize) {
   MeshParams params;
   params.file.name = "box.obj";
   EXPECT_FALSE(build_mesh_model(params).ok()) << "nothing has been read";
-  params.mesh =
-      to_unit(*read_obj("v 0 0 0\nv 2 0 0\nv 0 4 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"));
+  NamedFile box{"box.obj", "v 0 0 0\nv 2 0 0\nv 0 4 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"};
+  EXPECT_TRUE(load_mesh_body(box, params).empty());
   params.size = 3;
   Result<Model> model = build_mesh_model(params);
   ASSERT_TRUE(model.ok());

@@ -29,7 +29,7 @@ std::vector<Surface> bodies() {
 
 struct Yard {
   std::vector<Surface> around = bodies();
-  Obstacles obstacles{around};
+  Obstacles obstacles = *Obstacles::build(around);
   std::vector<Host> hosts;
   Yard() {
     for (const Surface& body : around) {

@@ -90,6 +90,33 @@ TEST(Manual, FindsByWordsInNamesSentencesAndChoices) {
   EXPECT_TRUE(about("").empty());
 }
 
+TEST(Manual, TheNameThatIsAskedForLeads) {
+  constexpr std::string_view kWindy = R"json({"properties": {
+    "film": {"type": "object", "description": "A film of a window in the wind", "properties": {}},
+    "frame": {"type": "number", "description": "Of the window"},
+    "scene": {"type": "object", "description": "All else", "properties": {
+      "storm": {"type": "number", "description": "How hard the wind blows"},
+      "wind": {"type": "object", "description": "The air that moves", "properties": {
+        "speed": {"type": "number", "description": "Metres a second"}}}}},
+    "organisms": {"items": {"properties": {}, "allOf": []}}}})json";
+  std::vector<std::string> paths;
+  for (const Topic& topic : topics_about(topics_of(parse_json(kWindy, "schema")->root), "wind"))
+    paths.push_back(topic.path);
+  EXPECT_EQ(paths, (std::vector<std::string>{"scene/wind", "scene/wind/speed", "film", "scene/storm"}));
+}
+
+TEST(Manual, AWordOfAnotherSenseIsNoSlipOfTheKeys) {
+  constexpr std::string_view kLip = R"json({"properties": {
+    "lip": {"type": "number", "description": "The rim"}, "center": {"type": "number", "description": "The middle"},
+    "focus": {"type": "number", "description": "What is sharp"},
+    "organisms": {"items": {"properties": {}, "allOf": []}}}})json";
+  std::vector<Topic> topics = topics_of(parse_json(kLip, "schema")->root);
+  for (const char* asked : {"tulip", "winter", "crocus"})
+    EXPECT_EQ(nearest_topic(topics, asked), "") << asked;
+  EXPECT_EQ(nearest_topic(topics, "centre"), "center");
+  EXPECT_EQ(nearest_topic(topics, "foucs"), "focus");
+}
+
 TEST(Manual, ATopicIsTwoLines) {
   EXPECT_EQ(topic_text(about("film/fps")[0]),
             "film/fps  (number, 1 to 60; default 24)\n    Frames a second.\n");

@@ -147,6 +147,19 @@ class Scenes(unittest.TestCase):
 
 
 class Grammars(unittest.TestCase):
+    def test_models_of_cpfg_are_read_as_the_program_reads_them(self):
+        file = ROOT / "presets/lsystems/maple.l"
+        model = frond.Grammar.read(file)
+        word = model.derive()
+        self.assertEqual(str(word), said("derive", file).rstrip("\n"))
+        self.assertEqual("".join(f"{name} {count}\n" for name, count in sorted(word.counts.items())),
+                         said("derive", file, "--format", "counts"))
+        figure = model.draw(2)
+        measured = json.loads(said("turtle", file, "--steps", 2))
+        self.assertGreaterEqual(len(figure.skeleton), measured["segments"])
+        with self.assertRaises(frond.FrondError):
+            frond.Grammar.read(ROOT / "presets/lsystems/none.l")
+
     def test_words_are_those_of_the_program(self):
         for file in sorted((ROOT / "presets/grammars").glob("*.json")):
             grammar = frond.Grammar.read(file)

@@ -2,6 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
+#include "core/files.h"
+#include "core/work_folder.h"
+#include "images/raster.h"
+
 namespace frond {
 
 TEST(Gif, CommentStandsBehindTheTableOfColours) {
@@ -22,5 +28,25 @@ TEST(Gif, LongCommentsAreCutIntoBlocks) {
 }
 
 TEST(Gif, WhatIsNoneIsLeftAlone) { EXPECT_EQ(gif_with_comment("GIF", "reef"), "GIF"); }
+
+TEST(Sheet, WhatIsTransparentIsNotBlack) {
+  WorkFolder work;
+  Raster picture(64, 64, 4);  // nothing, but for a red square in its middle
+  for (int y = 24; y < 40; ++y)
+    for (int x = 24; x < 40; ++x)
+      picture.data[picture.index(x, y)] = picture.data[picture.index(x, y, 3)] = 255;
+  std::filesystem::path file = work.path() / "a.png", sheet = work.path() / "sheet.png";
+  ASSERT_TRUE(write_file(file, *png_text(picture)));
+  ASSERT_TRUE(tile_sheet({{file, file}, sheet, 2, 64}).empty());
+  Result<Raster> made = read_png(*read_file(sheet));
+  ASSERT_TRUE(made);
+  EXPECT_EQ(made->width, 2 * 64 + 3 * 4);
+  for (int left : {4, 4 + 64 + 4}) {
+    EXPECT_NEAR(made->at(left + 3, 4 + 3, 1), 153, 2);
+    EXPECT_NEAR(made->at(left + 11, 4 + 3, 1), 204, 2);
+    EXPECT_GT(made->at(left + 32, 4 + 32, 0), 250);
+    EXPECT_LT(made->at(left + 32, 4 + 32, 1), 5);
+  }
+}
 
 }  // namespace frond

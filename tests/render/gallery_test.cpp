@@ -108,4 +108,10 @@ TEST(Jpeg, PicturesAreLaidRowByRow) {
   EXPECT_EQ(sheet_layout(5, 2, {100, 50}), "0_0|104_0|0_54|104_54|0_108");
 }
 
+TEST(Gallery, HashesOfScenesAreReadAsTheyWereWritten) {
+  SceneIds ids{{"large/reef", "0123456789abcdef"}, {"reef", "fedcba9876543210"}};
+  EXPECT_EQ(read_scene_ids(scene_ids_text(ids)), ids);
+  EXPECT_EQ(read_scene_ids("# a note\nreef\nreef 1 2\n\nfan 0f\n"), (SceneIds{{"fan", "0f"}}));
+}
+
 }  // namespace frond

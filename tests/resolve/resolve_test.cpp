@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/parallel.h"
 #include "draw/eyes.h"
 #include "scene_at.h"
@@ -125,6 +127,37 @@ TEST(Resolve, AStillHasFourRawSamplesAPixel) {
                four = painted.picture(1, 2, Vec2(0));
   Resolver resolver(scene, painted.film(), [&](int) { return raw; });
   EXPECT_LT(error(*resolver.frame(1), many), error(four, many));
+}
+
+TEST(Resolve, AStillInBandsIsTheSameAsAWholeOne) {
+  Scene scene = raw_scene();
+  scene.film.frames = 1;
+  Scene fine = scene;
+  fine.film.size = scene.film.drawn_size();
+  Painted painted(scene), raws(fine);
+  LightPicture raw = raws.raw(1);
+  Resolver whole(scene, painted.film(), [&](int) { return raw; });
+  LightPicture wanted = *whole.frame(1);
+  auto wide = static_cast<std::size_t>(fine.film.size[0]);
+  for (int band : {1, 5, 1000}) {
+    Resolver resolver(scene, painted.film(), [](int) { return Error{"", "not as a whole"}; });
+    LightPicture made;
+    int last = 0;
+    std::size_t most = 0;
+    auto rows = [&](int first, int count) -> Result<LightPicture> {
+      EXPECT_GE(first, last);
+      last = first, most = std::max(most, static_cast<std::size_t>(count));
+      auto begin = raw.begin() + static_cast<std::ptrdiff_t>(wide * static_cast<std::size_t>(first));
+      return LightPicture(begin, begin + static_cast<std::ptrdiff_t>(wide * static_cast<std::size_t>(count)));
+    };
+    Errors errors = resolver.still_in_bands(rows, band, [&](const LightPicture& more) {
+      made.insert(made.end(), more.begin(), more.end());
+      return Errors{};
+    });
+    EXPECT_TRUE(errors.empty());
+    EXPECT_EQ(made, wanted) << band;
+    EXPECT_LE(most, 2 * static_cast<std::size_t>(band) + 32) << "no more than it needs";
+  }
 }
 
 TEST(Resolve, DependsNeitherOnThreadsNorOnOtherFrames) {

@@ -57,6 +57,25 @@ TEST_F(Base, MayHaveABaseOfItsOwn) {
   EXPECT_EQ(preset->film.fps, 3);
 }
 
+TEST_F(Base, ASpeciesThatIsNowhereNearIsOneOfFronds) {
+  for (const char* name : {"oak", "trees/oak", "trees/oak.json", "presets/trees/oak.json"}) {
+    put("mine.json", std::string(R"({"organisms": [{"species": ")") + name + R"(", "years": 3}]})");
+    Result<Preset> preset = read("mine.json");
+    ASSERT_TRUE(preset) << name << ": " << preset.errors().front().text();
+    EXPECT_EQ(preset->organisms[0].name, "oak") << name;
+    std::string path = (folder / "mine.json").string();
+    EXPECT_TRUE(read_preset(*read_file(path), path, {}, folder)) << name << ", whatever else may be read";
+  }
+  // One of that name in the folder goes before.
+  put("oak", R"({"organisms": [{"kind": "vase", "name": "no oak"}]})");
+  put("mine.json", R"({"organisms": [{"species": "oak"}]})");
+  EXPECT_EQ(read("mine.json")->organisms[0].name, "no oak");
+  put("mine.json", R"({"base": "trees/oak", "title": "mine"})");
+  EXPECT_EQ(read("mine.json")->title, "mine");
+  put("mine.json", R"({"organisms": [{"species": "../presets/trees/oak.json"}]})");
+  EXPECT_FALSE(read("mine.json")) << "a path that leads elsewhere names what is there";
+}
+
 TEST_F(Base, MessagesSayWhereAFaultStands) {
   put("below.json", "{\"organisms\": [],\n \"film\": {\"frmes\": 8}}");
   put("above.json", "{\"base\": \"below.json\"}");

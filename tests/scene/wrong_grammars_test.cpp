@@ -103,15 +103,6 @@ const WrongPreset kWrongGrammars[] = {
       "3:56: /organisms/0/grammar/constants: `2c` is not a name; use letters, digits and _",
       "3:62: /organisms/0/grammar/constants/a: column 1: `b` is not a parameter of the rule, nor a constant; "
       "declare it in `constants`; in `b + 1`"}},
-    {"A rule that is never used",
-     R"({"organisms": [
-  {"kind": "coral", "form": "own",
-   "grammar": {"rules": ["F -> FF",
-     "F -> F[+F]F"]}}]})",
-     {},
-     {"4:6: /organisms/0/grammar/rules/1: `F -> F[+F]F` can never be used: `F -> FF` (reef.json:3:26: "
-      "/organisms/0/grammar/rules/0) comes first and always matches; put it before, give both a weight, or "
-      "remove it"}},
     {"Bad rules of every list",
      R"({"organisms": [
   {"kind": "coral", "form": "own",
@@ -165,7 +156,8 @@ const WrongPreset kWrongGrammars[] = {
      R"({"organisms": [{"kind": "plant", "grammar": {
   "decomposition": ["F -> FX"]}}]})",
      {},
-     {"2:21: /organisms/0/grammar/decomposition/0: `F -> FX` never ends: what it makes is taken apart into "
+     {"2:21: /organisms/0/grammar/decomposition/0: column 1: `F -> FX` never ends: what it makes is taken "
+      "apart into "
       "`F` again; "
       "give it a condition, or put it among `rules`"}},
 };

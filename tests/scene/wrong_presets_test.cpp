@@ -426,9 +426,10 @@ const WrongPreset kWrongValues[] = {
      R"({"organisms": [{"kind": "tree", "leaves": {"picture": {"photo": "README.md"}}},
  {"kind": "tree", "leaves": {"picture": {"photo": "docs/examples/heart.png"}}}]})",
      {},
-     {"1:65: /organisms/0/leaves/picture/photo: README.md: no PNG: Not a PNG file",
+     {"1:65: /organisms/0/leaves/picture/photo: README.md: is no picture that Frond reads; expected a PNG, "
+      "JPEG or WebP file",
       "2:51: /organisms/1/leaves/picture/photo: docs/examples/heart.png: has no transparency; expected a "
-      "leaf that was cut out, with nothing but transparency around it"}},
+      "leaf that was cut out, with nothing but transparency around it, as a PNG or WebP"}},
     {"A box of ivy that is turned inside out",
      R"({"organisms": [{"kind": "wall", "name": "wall"},
  {"kind": "ivy", "on": ["wall"], "crawl": {"low": [0, 2, 0], "high": [1, 1, 1]}}]})",

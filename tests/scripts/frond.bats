@@ -780,3 +780,16 @@ JSON
   [[ "$output" != *"presets/grammars/"* ]]
   [ "$(grep -c '^presets/' <<<"$output")" -eq "$(find "$root/presets" -name '*.json' ! -path '*/grammars/*' | wc -l)" ]
 }
+
+@test "an organism with a very long name is exported, with files of names that can be" {
+  long=$(printf 'n%.0s' {1..400})
+  printf '{"organisms": [{"kind": "vase", "name": "%s", "height": 0.4}]}' "$long" >long.json
+  for format in obj ply glb inc; do
+    run "$frond" export long.json --texture 32 --detail 400 -o "long.$format"
+    echo "$output"
+    [ "$status" -eq 0 ]
+    [ -s "long.$format" ]
+  done
+  [ -s long.mtl ]
+  awk '/^map_Kd/ {print $2}' long.mtl | while read -r picture; do [ -s "$picture" ]; done
+}

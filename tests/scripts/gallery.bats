@@ -1,5 +1,7 @@
 # scripts/gallery.sh in a folder of its own, which holds two small presets. POV-Ray only pretends.
 
+bats_require_minimum_version 1.5.0
+
 setup() {
   load common
   need_frond
@@ -66,4 +68,42 @@ size_of() { ffprobe -v error -show_entries stream=width,height -of csv=p=0 "$1";
   run "$GALLERY" -o work nosuch
   [ "$status" -eq 2 ]
   [[ $output == "error: nosuch: no picture of "* ]]
+}
+
+@test "pictures older than what they show are named, and no others" {
+  "$GALLERY" -o work
+  [ "$(cut -d' ' -f1 home/docs/gallery/scenes.txt | grep -v '#')" = "$(printf '%s\n' both film grammars)" ]
+  rm home/docs/gallery/film.jpg
+  touch home/docs/gallery/studio.jpg
+  run --separate-stderr "$GALLERY" -o work --stale
+  echo "$output $stderr"
+  [ "$status" -eq 0 ]
+  [ "$output" = "$(printf '%s\n' film large/film)" ]
+  [[ $stderr == *"film: there is no such picture"*"large/film: there is no such picture"* ]]
+  [[ $stderr == *"whose age is not known: studio.jpg" ]]
+  "$GALLERY" -o work film large/film
+  # A property that the scene does not show changes no picture, another does.
+  sed -i 's/"title": *"[^"]*"/"title": "another"/' home/presets/*.json
+  run --separate-stderr "$GALLERY" -o work --stale
+  [ "$output" = "" ]
+  sed -i 's/"seed": *12/"seed": 13/' home/presets/other.json
+  run --separate-stderr "$GALLERY" -o work --stale
+  [ "$output" = both ]
+  [[ $stderr == *"both: its scene is another now"* ]]
+  [ "$(ls work/scenes)" = "$(printf '%s\n' both film grammars large)" ]  # no scene is kept
+  # So does a macro, of those that reach it alone.
+  rm home/povinc
+  cp -r "$ROOT/povinc" home
+  sed -i 's/^#macro Studio_Globals.*/&\n#declare Of_This = 1;/' home/povinc/frond_studio.inc
+  sed -i 's/^#macro Bridge_.*/&\n#declare Of_That = 1;/' home/povinc/*.inc
+  run --separate-stderr "$GALLERY" -o work --stale film grammars
+  echo "$output"
+  sed -i '/^both/d' home/docs/gallery/scenes.txt
+  run --separate-stderr "$GALLERY" -o work --stale both
+  [ "$output" = both ]
+  [[ $stderr == *"both: what it shows is not noted"* ]]
+  # What is known of the same sources is not asked again.
+  touch -d '2001-01-01' work/scenes/film
+  "$GALLERY" -o work --stale film
+  [ "$(stat -c %Y work/scenes/film)" -lt 1000000000 ]
 }

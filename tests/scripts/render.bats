@@ -342,3 +342,13 @@ SH
   run cmp -s 1.gray 6.gray
   [ "$status" -eq 1 ]
 }
+
+@test "a preset whose name is not UTF-8 is rendered as any other" {
+  name=$(printf 'b\xe4um')
+  mv film.json "$name.json"
+  run "$RENDER" "$name.json" --frames 1-2
+  echo "$output"
+  [ "$status" -eq 0 ]
+  [ -s "out/$name/film.mp4" ]
+  python3 -c 'import json,sys; json.loads(open(b"out/b\xe4um/manifest.json", encoding="utf-8").read())'
+}

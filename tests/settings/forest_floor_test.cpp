@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
+
 #include <algorithm>
 #include <cmath>
 
@@ -79,6 +81,27 @@ TEST(ForestFloor, is_strewn_near_the_camera_over_the_whole_film) {
   }
   double whole = kPi * 9 / 0.16;  // patches
   for (int count : {start, middle, end}) EXPECT_NEAR(count, whole, 0.2 * whole);
+}
+
+TEST(ForestFloor, TakesNoLongerForAWayAllRoundThanForAStraightOne) {
+  Film film;
+  film.frames = 2000;
+  Camera camera;  // round a square of a kilometre, half a second a side
+  double side = film.length() / 4;
+  camera.location = Animated<Vec3>({{0.0, Vec3(0, 2, 0)},
+                                    {side, Vec3(1000, 2, 0)},
+                                    {2 * side, Vec3(1000, 2, 1000)},
+                                    {3 * side, Vec3(0, 2, 1000)},
+                                    {4 * side, Vec3(0, 2, 0)}});
+  std::clock_t begin = std::clock();
+  ForestCover cover =
+      strew_floor(film, camera, {[](Vec2) { return 0.0; }, [](Vec2) { return 1e6; }}, 0, Seed{1});
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 15.0) << "not all that lies within";
+  EXPECT_GT(cover.litter_patches.size(), 200'000u);
+  for (const Patch& patch : cover.litter_patches) {
+    float inside = std::min({patch.at.x, patch.at.z, 1000 - patch.at.x, 1000 - patch.at.z});
+    ASSERT_LT(std::abs(inside), 200.0f);
+  }
 }
 
 TEST(ForestFloor, has_few_leaves_on_the_path) {

@@ -39,6 +39,21 @@ async function now() {
 /** The nodes that the first organism shows: the ends of its segments. */
 const reach = () => page.evaluate(() => window.frond.view.header.entries[0].high);
 
+test('edits that find no branch are said, kept apart, and taken out where that is wanted', async () => {
+  await page.getByTestId('tab:text').click();
+  const edits = '"edits": [{"at": "1", "cut": true}, {"at": "7:0.5", "cut": true}], "name": "cross"';
+  await page.getByTestId('text').fill(TEXT.replace('"name": "cross"', edits));
+  const lost = page.getByTestId('lost-edits');
+  await lost.getByText('1 edit finds no branch').waitFor();
+  await lost.locator('summary').click();
+  await lost.getByText('cross: 7:0.5, cut.').waitFor();
+  assert.match(await page.getByTestId('text').inputValue(), /7:0\.5/, 'it stays in the preset');
+  await page.getByTestId('forget-lost').click();
+  await lost.waitFor({state: 'hidden'});
+  const left = await page.getByTestId('text').inputValue();
+  assert.ok(left.includes('"at": "1"') && !left.includes('7:0.5'), left);
+});
+
 test('a bough is picked and cut by a click and a key, undone, and cut by its address', async () => {
   const was = await reach();
   await page.mouse.click(...(await pixelOf(page, [0.9, 0.6, 0])));
@@ -66,6 +81,14 @@ test('a bough is picked and cut by a click and a key, undone, and cut by its add
   await page.getByTestId('branch:cut').press('Enter');
   await shown(page);
   assert.deepEqual((await now()).edits, [{at: '2:0.5', cut: true}]);
+});
+
+test('the branch under the pointer is drawn over before it is clicked, and no more when the pointer leaves', async () => {
+  await page.mouse.move(...(await pixelOf(page, [0.8, 0.6, 0])));
+  await page.mouse.move(...(await pixelOf(page, [0.9, 0.6, 0])));
+  await page.waitForFunction(() => document.querySelector('.trace polyline').getAttribute('points').split(' ').length > 1);
+  await page.mouse.move(5, 5);
+  await page.waitForFunction(() => !document.querySelector('.trace polyline').getAttribute('points'));
 });
 
 test('a bough is bent by dragging a point of it, which follows within 50 ms', async () => {

@@ -7,6 +7,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <new>
 #include <thread>
 
 namespace frond {
@@ -34,6 +35,14 @@ class ConnectionsTest : public testing::Test {
     };
     server_.Get("/quick", text("quick"));
     server_.Post("/quick", text("posted"));
+    server_.Get("/large", [](const httplib::Request&, httplib::Response& response) {
+      response.set_content(std::string(64 << 20, 'x'), "text/plain");
+    });
+    server_.Get("/broken", [](const httplib::Request&, httplib::Response& response) {
+      response.set_content_provider(
+          100, "text/plain",
+          [](std::size_t, std::size_t, httplib::DataSink&) -> bool { throw std::bad_alloc(); });
+    });
     port_ = server_.bind_to_any_port("127.0.0.1");
     ASSERT_GT(port_, 0);
     ends_ = ::eventfd(0, EFD_CLOEXEC);
@@ -146,6 +155,59 @@ TEST_F(ConnectionsTest, AConnectionServesManyRequestsAlsoAtOnce) {
   say(socket, post.substr(30, post.size() - 32));
   say(socket, post.substr(post.size() - 2));
   EXPECT_NE(heard(socket, "posted").find("200 OK"), std::string::npos);
+}
+
+TEST_F(ConnectionsTest, UnfinishedBodiesKeepNobodyOut) {
+  begin({.known = 1, .unknown = 1});
+  std::string post = "POST /quick HTTP/1.1\r\nX-Key: yes\r\nContent-Length: 1000\r\n\r\nabc";
+  std::vector<int> slow;
+  for (int i = 0; i < 200; ++i) say(slow.emplace_back(connect()), post);
+  int known = connect();
+  say(known, kQuick);
+  EXPECT_NE(heard(known, "quick").find("200 OK"), std::string::npos);
+  say(slow[100], std::string(997, 'x'));
+  EXPECT_NE(heard(slow[100], "posted").find("200 OK"), std::string::npos) << "it waited for its end";
+}
+
+TEST_F(ConnectionsTest, UnfinishedBodiesTakeNoMoreMemoryThanTheyMay) {
+  begin({.held = 100'000, .known = 1, .unknown = 1});
+  auto post = [](int length) {
+    return "POST /quick HTTP/1.1\r\nX-Key: yes\r\nContent-Length: " + std::to_string(length) + "\r\n\r\n";
+  };
+  int large = connect(), small = connect();
+  say(small, post(1000) + std::string(900, 'x'));
+  say(large, post(200'000) + std::string(150'000, 'x'));
+  EXPECT_EQ(status_of(heard(large)), "HTTP/1.1 503 Service Unavailable");
+  say(small, std::string(100, 'x'));
+  EXPECT_NE(heard(small, "posted").find("200 OK"), std::string::npos);
+}
+
+TEST_F(ConnectionsTest, WhoWaitsToBeToldToSendIsTold) {
+  begin({.known = 1, .unknown = 1});
+  int socket = connect();
+  say(socket, "POST /quick HTTP/1.1\r\nX-Key: yes\r\nExpect: 100-continue\r\nContent-Length: 3\r\n\r\n");
+  EXPECT_EQ(status_of(heard(socket, "\r\n\r\n")), "HTTP/1.1 100 Continue");
+  say(socket, "abc");
+  EXPECT_NE(heard(socket, "posted").find("200 OK"), std::string::npos);
+}
+
+TEST_F(ConnectionsTest, WhoTakesAnAnswerSlowlyGoesWhereOthersWait) {
+  begin({.hurried = std::chrono::seconds(1), .known = 1, .unknown = 1});
+  int slow = connect();
+  say(slow, "GET /large HTTP/1.1\r\nX-Key: yes\r\n\r\n");
+  int known = connect();
+  say(known, kQuick);
+  EXPECT_NE(heard(known, "quick").find("200 OK"), std::string::npos);
+}
+
+TEST_F(ConnectionsTest, MemoryThatRunsOutInAnAnswerEndsThatConnectionAlone) {
+  begin({.known = 1, .unknown = 1});
+  int broken = connect();
+  say(broken, "GET /broken HTTP/1.1\r\nX-Key: yes\r\n\r\n");
+  heard(broken);
+  int known = connect();
+  say(known, kQuick);
+  EXPECT_NE(heard(known, "quick").find("200 OK"), std::string::npos);
 }
 
 TEST(Head, IsReadByItsLines) {

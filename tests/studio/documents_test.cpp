@@ -52,11 +52,37 @@ TEST_F(DocumentsTest, ReadsNothingOutsideOfItsFolders) {
     EXPECT_FALSE(d.readable(file)) << file;
   fs::create_symlink(folder_ / "secret.json", folder_ / "own/link.json");
   EXPECT_FALSE(d.readable((folder_ / "own/link.json").string()));
-  EXPECT_FALSE(d.gallery_picture("../export.md").ok());
+  EXPECT_FALSE(d.leaf("gallery", "../export.md").ok());
+  EXPECT_TRUE(d.leaf("docs", "kinds/tree.md").ok());
+  EXPECT_FALSE(d.leaf("docs", "../README.md").ok());
+  EXPECT_FALSE(d.leaf("docs", "preset.schema.json").ok());
   // Nor do presets: a file that one names is looked for in its folder alone.
   Result<Preset> preset = d.preset({R"({"base": "../secret.json"})", folder_ / "own/a.json"});
   ASSERT_FALSE(preset.ok());
   EXPECT_EQ(preset.errors().front().text().find("mine"), std::string::npos);
+}
+
+TEST_F(DocumentsTest, NoNameEndsBeforeItsEnding) {
+  Documents d = documents();
+  Json saved;
+  const std::string nul(1, '\0');
+  for (const std::string& file :
+       {".bashrc" + nul + ".json", (folder_ / "own/b").string() + nul + "/c.json"}) {
+    auto refusal = d.save(file, doc("{}"), "", true, saved);
+    ASSERT_TRUE(refusal) << file;
+    EXPECT_EQ(refusal->status, 403);
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "own/.bashrc"));
+  EXPECT_FALSE(fs::exists(folder_ / "own/b"));
+  EXPECT_FALSE(d.readable((folder_ / "own/a.json").string() + nul));
+  // Nor is a link a way round.
+  (void)write_file(folder_ / "own/.profile", "mine");
+  fs::create_symlink(folder_ / "own/.profile", folder_ / "own/link.json");
+  EXPECT_TRUE(d.save("link.json", doc("{}"), "", true, saved));
+  EXPECT_EQ(*read_file(folder_ / "own/.profile"), "mine");
+  // Files that presets name are read by the same rule.
+  EXPECT_FALSE(read_file((folder_ / "own/a.json").string() + nul + ".png").ok());
+  EXPECT_FALSE(write_file((folder_ / "own/c").string() + nul + ".png", "x").ok());
 }
 
 TEST_F(DocumentsTest, SavesWhereItMayAndNotOverWhatOthersWrote) {
@@ -117,7 +143,7 @@ TEST_F(DocumentsTest, ManyMayBeSavedAtOnce) {
     threads.emplace_back([&, i] {
       Json saved;
       EXPECT_FALSE(documents().save("b.json", doc("[" + std::to_string(i) + "]"), "", true, saved));
-      EXPECT_FALSE(documents().add_file("stone.obj", ".obj", "v 0 0 " + std::to_string(i), saved));
+      EXPECT_FALSE(documents().add_file("stone.obj", ".obj", "v 0 0 " + std::to_string(i), "", saved));
     });
   for (std::thread& thread : threads) thread.join();
   std::set<std::string> stones;
@@ -168,12 +194,12 @@ TEST_F(DocumentsTest, MostShippedPresetsHaveAPictureInTheGallery) {
 TEST_F(DocumentsTest, AMeshGetsAPlainNameOfItsOwn) {
   Documents d = documents();
   Json saved;
-  EXPECT_FALSE(d.add_file("../../my rock!.obj", ".obj", "v 0 0 0", saved));
+  EXPECT_FALSE(d.add_file("../../my rock!.obj", ".obj", "v 0 0 0", "", saved));
   EXPECT_EQ(saved["file"], "my_rock_.obj");
   EXPECT_TRUE(fs::exists(folder_ / "own/my_rock_.obj"));
-  EXPECT_FALSE(d.add_file("my rock!.obj", ".obj", "v 0 0 0", saved));  // the same once
+  EXPECT_FALSE(d.add_file("my rock!.obj", ".obj", "v 0 0 0", "", saved));  // the same once
   EXPECT_EQ(saved["file"], "my_rock_.obj");
-  EXPECT_FALSE(d.add_file("my rock!.obj", ".obj", "v 1 0 0", saved));
+  EXPECT_FALSE(d.add_file("my rock!.obj", ".obj", "v 1 0 0", "", saved));
   EXPECT_EQ(saved["file"], "my_rock_-2.obj");
 }
 

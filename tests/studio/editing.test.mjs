@@ -131,6 +131,8 @@ test('a variation is picked from the wall', async () => {
   const tiles = page.locator('[data-testid^="variation:"]');
   assert.equal(await tiles.count(), 9);
   await page.waitForFunction(() => document.querySelectorAll('[data-testid^="variation:"].drawn').length === 9);
+  await page.getByTestId('wall-progress').waitFor({state: 'hidden'});
+  assert.equal(await page.locator('[data-testid^="variation:"].rough').count(), 0, 'all are as they will be');
   await tiles.nth(4).click();
   await changed(page, was);
   await page.getByTestId('undo').click();

@@ -37,6 +37,24 @@ test('own files are opened from the gallery, as themselves', async () => {
   await page.context().close();
 });
 
+test('Enter in Save as saves once, and leaves the keyboard where it was', async () => {
+  const page = await visit(browser, studio.address);
+  await shown(page);
+  await page.getByTestId('save-as-button').focus();
+  await page.keyboard.down('Enter');
+  await page.keyboard.up('Enter');
+  await page.getByTestId('save-name').fill('entered');
+  // Held down, as a person's finger may.
+  for (let i = 0; i < 3; ++i) await page.keyboard.down('Enter');
+  await page.getByText(/^Saved /).waitFor();
+  assert.equal(await page.getByTestId('save-as').count(), 0);
+  await page.keyboard.up('Enter');
+  assert.equal(await page.getByTestId('save-as').count(), 0, 'it does not open again');
+  assert.equal(await page.evaluate(() => document.activeElement?.dataset.testid), 'save-as-button');
+  assert.ok(fs.existsSync(path.join(scratch, 'entered.json')));
+  await page.context().close();
+});
+
 test('a card without a picture in the gallery shows a quick look', async () => {
   const page = await visit(browser, studio.address);
   await shown(page);

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import {before, test} from 'node:test';
-import {ask, browse, preset, scratch, shown, start, visit} from './studio.mjs';
+import {ask, browse, choose, preset, scratch, shown, start, visit} from './studio.mjs';
 
 const TEXT = `{
   // mine
@@ -97,7 +97,7 @@ const eye = () => page.evaluate(() => window.frond.view.eye());
 const near = (a, b) => a.forEach((x, i) => assert.ok(Math.abs(x - b[i]) < 2e-3, `${a} is not ${b}`));
 
 test('a view is kept, named, gone back to and removed', async () => {
-  await page.getByTestId('view:front').click();
+  await choose(page, 'views', 'view:front');
   const front = await eye();
   await page.getByTestId('add-view').click();
   await page.getByTestId('view-name:0').fill('from the front');
@@ -106,7 +106,7 @@ test('a view is kept, named, gone back to and removed', async () => {
   assert.equal(scene.views[0].name, 'from the front');
   near(scene.views[0].at, front.at);
   assert.ok(text.includes('// mine'));
-  await page.getByTestId('view:top').click();
+  await choose(page, 'views', 'view:top');
   assert.notDeepEqual((await eye()).at, front.at);
   await page.getByTestId('go-view:0').focus();
   await page.keyboard.press('Enter');
@@ -122,7 +122,7 @@ test('the camera gets a key from what is looked at, at the time shown', async ()
   await page.getByTestId('moment:6').click();
   await shown(page);
   const time = Number(await page.getByTestId('time').inputValue());
-  await page.getByTestId('view:side').click();
+  await choose(page, 'views', 'view:side');
   const side = await eye();
   await page.getByTestId('key-view').focus();
   await page.keyboard.press('Enter');

@@ -103,3 +103,38 @@ test('what is too long is refused', async () => {
   assert.equal(await status('POST', 'api/mesh?name=a.obj', {'Content-Length': String(40 << 20)}), 413);
   assert.equal(await status('POST', 'api/derive', {}, {doc: {text: 'x'.repeat(9_000_000), file: ''}}), 413);
 });
+
+test('no number wraps into another', async () => {
+  const doc = {text: '{"scene": {"setting": "studio"}, "organisms": [{"kind": "plant", "grammar": {"axiom": "F", "steps": 1, "rules": ["F -> FF"]}}]}', file: path.join(scratch, 'own.json')};
+  const answer = (where, question) => status('POST', where, {}, {doc, ...question});
+  for (const size of [[4294967360, 64], [64, 1e300], [64.5, 64], [-64, 64], [64], 'large', [64, null]])
+    for (const where of ['api/render', 'api/film']) assert.equal(await answer(where, {size, quality: 'draft'}), 400, `${where} ${size}`);
+  for (const steps of [4294967297, 1e300, -1, 1.5]) assert.equal(await answer('api/derive', {entry: 0, steps}), 400, String(steps));
+  for (const entry of [-1, 4294967296 * 4294967296, 1e300, 0.5]) assert.notEqual(await answer('api/derive', {entry, steps: 1}), 200, String(entry));
+  for (const time of [1e300, -1e300, 'now']) {
+    assert.equal(await answer('api/render', {time, size: [64, 64], quality: 'draft'}), 400, String(time));
+    assert.equal(await answer('api/trace', {time, rays: []}), 400, String(time));
+  }
+  assert.equal(await answer('api/trace', {time: 0, rays: [[0, 1e300, 0, 0, -1, 0]]}), 400);
+  assert.equal(await answer('api/trace', {time: 0, rays: [[0, 1, 0, 0, -1]]}), 400);
+  assert.equal(await answer('api/derive', {entry: 0, steps: 1}), 200);
+});
+
+test('a name of a file ends where it ends', async () => {
+  assert.equal(await save('.bashrc\0.json'), 403);
+  assert.equal(fs.existsSync(path.join(scratch, '.bashrc')), false);
+});
+
+test('unfinished questions do not keep others out', async () => {
+  const slow = Array.from({length: 200}, () => net.connect(studio.port, '127.0.0.1'));
+  try {
+    for (const socket of slow)
+      socket.on('error', () => undefined).write(`POST /api/derive HTTP/1.1\r\nHost: 127.0.0.1:${studio.port}\r\nX-Frond-Token: ${studio.token}\r\nContent-Length: 1000\r\n\r\n{`);
+    await new Promise(done => setTimeout(done, 500));
+    const began = Date.now();
+    assert.equal(await status('GET', 'api/ping'), 200);
+    assert.ok(Date.now() - began < 2000, `${Date.now() - began} ms`);
+  } finally {
+    slow.forEach(socket => socket.destroy());
+  }
+});

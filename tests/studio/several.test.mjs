@@ -1,7 +1,7 @@
 // Several organisms at once, their order, keys on the timeline, and views beside and over the first.
 import assert from 'node:assert/strict';
 import {before, beforeEach, test} from 'node:test';
-import {browse, preset, shown, start, visit} from './studio.mjs';
+import {browse, choose, preset, shown, start, visit} from './studio.mjs';
 
 const TEXT = `{
   "film": {"frames": 49, "fps": 24, "size": [320, 240]},
@@ -97,10 +97,10 @@ test('a key on the timeline is dragged, moved by arrow keys, and removed', async
 });
 
 test('a second view shows the model from its own side, and follows what is changed', async () => {
-  await page.getByTestId('two-views').click();
+  await choose(page, 'views', 'two-views');
   const canvas = page.locator('[data-testid=second-view] canvas');
   const seen = () => canvas.screenshot().then(png => png.toString('base64'));
-  await page.getByTestId('second:top').click();
+  await choose(page, 'second-views', 'second:top');
   await page.waitForTimeout(500);
   const before = await seen();
   await organism(0).click();
@@ -108,14 +108,14 @@ test('a second view shows the model from its own side, and follows what is chang
   await slider.focus();
   for (let i = 0; i < 10; ++i) await page.keyboard.press('ArrowRight');
   for (let now = before; now === before; now = await seen()) await page.waitForTimeout(200);
-  await page.getByTestId('two-views').click();
+  await choose(page, 'views', 'two-views');
   assert.equal(await canvas.count(), 0);
   assert.deepEqual(page.faults, []);
 });
 
 test('what was kept as A is seen beside what it became, from the same place, and comes back', async () => {
   await open('text');
-  await page.getByTestId('keep-a').click();
+  await choose(page, 'views', 'keep-a');
   await organism(1).click();
   const box = page.locator('[data-testid="row:organism/size"] input.number');
   await box.fill('0.9');
@@ -132,7 +132,7 @@ test('what was kept as A is seen beside what it became, from the same place, and
   assert.equal(await text(), TEXT);
   await page.getByTestId('undo').click();
   assert.ok((await text()).includes('0.9'));
-  await page.getByTestId('keep-a').click();
+  await choose(page, 'views', 'keep-a');
   assert.equal(await kept.count(), 0);
   assert.deepEqual(page.faults, []);
 });

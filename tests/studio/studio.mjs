@@ -127,6 +127,12 @@ export const parts = page => page.evaluate(() => window.frond.view.header.parts.
 export const changed = (page, before) =>
   page.waitForFunction(before => window.frond.view.header.parts.map(part => part.id).join() !== before, before);
 
+/** Chooses from a menu. */
+export async function choose(page, menu, item) {
+  await page.getByTestId(menu).click();
+  await page.getByTestId(item).click();
+}
+
 /** Where a point is in a page's window. */
 export const pixelOf = (page, at) =>
   page.evaluate(([x, y, z]) => {

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <set>
+#include <tuple>
+#include <utility>
 
 #include "core/files.h"
 
@@ -103,6 +106,64 @@ TEST(View, APictureOfTheBarkGoesOnFromSegmentToSegment) {
       ++joints;
     }
   EXPECT_GT(joints, segments.size() / 2);
+}
+
+TEST(View, AnyNumberOfTheFirstBranchesHangsTogether) {
+  for (auto [name, set] :
+       {std::pair{"staghorn", "/organisms/0/steps=4"}, {"trees/birch", "/organisms/0/years=6"}}) {
+    std::string path = std::string(FROND_ROOT "/presets/") + name + ".json";
+    Result<Preset> preset = read_preset(*read_file(path), path, {set});
+    ASSERT_TRUE(preset) << preset.errors().front().text();
+    preset->organisms.resize(1);
+    Scene scene = *build_scene(*preset);
+    auto parts = specimen_parts(scene.specimens.at(0), 0);
+    ASSERT_TRUE(parts);
+    auto tubes = std::ranges::find_if(*parts, [](const DrawnPart& p) { return p.head["kind"] == "tubes"; });
+    ASSERT_NE(tubes, parts->end());
+    std::vector<Sent> segments = sent(*tubes);
+    ASSERT_GT(segments.size(), 100u) << name;
+    auto order = [](Vec3 a, Vec3 b) { return std::tuple(a.x, a.y, a.z) < std::tuple(b.x, b.y, b.z); };
+    std::set<Vec3, decltype(order)> reached(order);
+    reached.insert(segments.front().from);
+    std::size_t afloat = 0;
+    for (const Sent& s : segments) {
+      afloat += !reached.contains(s.from);
+      reached.insert(s.to);
+    }
+    EXPECT_EQ(afloat, 0u) << name << ", of " << segments.size();
+  }
+}
+
+TEST(View, SnowLiesOnTheBoughs) {
+  std::string path = FROND_ROOT "/presets/trees/birch.json";
+  std::string snow = R"(/scene/snow={"depth": 0.2})";
+  for (bool snowy : {false, true}) {
+    std::vector<std::string> sets{"/organisms/0/years=6"};
+    if (snowy) sets.push_back(snow);
+    Result<Preset> preset = read_preset(*read_file(path), path, sets);
+    ASSERT_TRUE(preset) << preset.errors().front().text();
+    preset->organisms.resize(1);
+    Scene scene = *build_scene(*preset);
+    auto parts = specimen_parts(scene.specimens.at(0), 0);
+    ASSERT_TRUE(parts);
+    auto white = std::ranges::count_if(*parts, [](const DrawnPart& p) {
+      return p.head["kind"] == "mesh" && p.head["material"]["color"][0].get<double>() > 0.98;
+    });
+    EXPECT_EQ(white > 0, snowy);
+  }
+}
+
+TEST(View, ThePathOfAForestIsToBeSeen) {
+  Result<Preset> preset = read_preset(
+      R"({"scene": {"setting": "forest", "forest": {"terrain": {"path": {"points": [[-20, 0], [20, 0]]}}}}, "organisms": []})",
+      "wood.json", {});
+  ASSERT_TRUE(preset) << preset.errors().front().text();
+  Result<Scene> scene = build_scene(*preset);
+  ASSERT_TRUE(scene) << scene.errors().front().text();
+  ViewCache cache(std::make_shared<CacheBudget>(std::size_t{1} << 26));
+  Result<std::string> packet = view_of(*scene, *preset, {}, cache, Json::object());
+  ASSERT_TRUE(packet);
+  EXPECT_NE(packet->find("\"colors\""), packet->npos);
 }
 
 }  // namespace

@@ -10,7 +10,17 @@ namespace {
 /// A wall before which limbs grow toward -z, its face at z = 0.
 Obstacles wall() {
   Surface body = box(Vec3(-2, 0, -0.3f), Vec3(2, 2, 0));
-  return Obstacles({&body, 1});
+  return *Obstacles::build({&body, 1});
+}
+
+TEST(Obstacles, BodiesWithoutAnAreaAreNone) {
+  Surface line;
+  line.position = {Vec3(0), Vec3(1, 0, 0), Vec3(2, 0, 0)};
+  line.triangle = {{0, 1, 2}};
+  Result<Obstacles> none = Obstacles::build({&line, 1});
+  ASSERT_TRUE(none) << "it is no fault that one can do anything about";
+  EXPECT_EQ(none->way(Vec3(0, -1, 0), Vec3(0, 1, 0), 1), Vec3(0, 1, 0));
+  EXPECT_TRUE(Obstacles::build({}));
 }
 
 TEST(Obstacles, LeaveAloneWhatIsFarFromThem) {
@@ -38,7 +48,7 @@ TEST(Obstacles, TurnUpwardWhatMeetsThemHeadOn) {
 
 TEST(Obstacles, HoldWhatGrowsUpUnderARoof) {
   Surface roof = box(Vec3(-2, 1, -2), Vec3(2, 1.2f, 2));
-  EXPECT_FALSE(Obstacles({&roof, 1}).way(Vec3(0, 0.9f, 0), Vec3(0, 1.3f, 0), 0.02f));
+  EXPECT_FALSE(Obstacles::build({&roof, 1})->way(Vec3(0, 0.9f, 0), Vec3(0, 1.3f, 0), 0.02f));
 }
 
 TEST(Obstacles, PushOffWhatThickensBesideThemByNoMoreThanHalfItsLength) {

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <cmath>
+#include <ctime>
+
+#include "core/parallel.h"
 #include "shapes.h"
 
 namespace frond {
@@ -44,6 +49,59 @@ TEST(World, FindsTheClosestPointAndTheFirstCrossingOfBodiesByName) {
   EXPECT_NE(world.host({"neither"}, "test").errors()[0].text().find("of \"neither\" to grow on"),
             std::string::npos);
   EXPECT_EQ(world.host({"high"}, "test")->get(), high->get()) << "made once";
+}
+
+TEST(World, FindsOnceThatThereIsNoHost) {
+  Surface flat;  // of a million triangles, none of which has an area
+  flat.position = {Vec3(0, 1, 0), Vec3(1, 1, 0), Vec3(2, 1, 0)};
+  flat.normal.assign(3, Vec3(0, 1, 0));
+  flat.triangle.assign(1'000'000, {0, 1, 2});
+  Specimen body;
+  body.name = "flat", body.entry = 0;
+  body.model.solids.place(body.model.solids.add_shape({std::move(flat), {}}));
+  World world = open_world();
+  std::vector<Specimen> grown;
+  grown.push_back(std::move(body));
+  world.add(std::move(grown));
+  std::clock_t begin = std::clock();
+  for (int i = 0; i < 1000; ++i) EXPECT_EQ(world.open_sky(DVec3(0)), 1);
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 10.0) << "merged again each time";
+  EXPECT_EQ(world.host({}, "one").errors()[0].where, "one");
+  EXPECT_EQ(world.host({}, "other").errors()[0].where, "other") << "whoever asked first";
+  std::vector<Specimen> more;
+  more.push_back(roof("roof", 1, 2));
+  world.add(std::move(more));
+  EXPECT_TRUE(world.host({}, "other")) << "what is added may be one";
+}
+
+TEST(World, ManyTasksMayAskForAHostThatIsNotBuiltYet) {
+  // Embree builds by tasks of the same pool, in which others ask for the same host and the same obstacles.
+  Surface hills;
+  constexpr int kSide = 120;
+  for (int i = 0; i < kSide * kSide; ++i)
+    hills.position.emplace_back(i % kSide, std::sin(0.1 * i), i / kSide);
+  for (std::uint32_t i = 0; i + kSide + 1 < kSide * kSide; ++i)
+    if (i % kSide + 1 < kSide) {
+      hills.triangle.push_back({i, i + kSide, i + 1});
+      hills.triangle.push_back({i + 1, i + kSide, i + kSide + 1});
+    }
+  set_normals(hills);
+  for (int round = 0; round < 12; ++round) {
+    Specimen body;
+    body.name = "hills", body.entry = 0;
+    body.model.solids.place(body.model.solids.add_shape({hills, {}}));
+    World world = open_world();
+    std::vector<Specimen> grown;
+    grown.push_back(std::move(body));
+    world.add(std::move(grown));
+    std::atomic<int> met = 0;
+    parallel_for(64, [&](std::size_t i) {
+      auto host = world.host(i % 2 ? std::vector<std::string>{} : std::vector<std::string>{"hills"}, "test");
+      auto obstacles = world.obstacles();
+      met += host && obstacles && (*obstacles)->near({Vec3(1), Vec3(2)});
+    });
+    EXPECT_EQ(met, 64);
+  }
 }
 
 TEST(World, HasLessLightUnderARoof) {

@@ -1,6 +1,7 @@
 #include "core/parallel.h"
+#include "core/wanted.h"
 #include "geometry/obj.h"
-#include "images/raster.h"
+#include "images/read_picture.h"
 
 // What the engine uses of other modules, as it is in a browser: one thread and no files.
 
@@ -15,10 +16,12 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
 
 int thread_count() { return 1; }
 
+void stay_wanted() {}  // the page ends its worker
+
 Result<LineSet> read_obj_lines(std::string_view, const std::string& name) {
   return Error{name, "no files are read here"};
 }
 
-Result<Raster> read_png(std::string_view) { return Error{"", "no files are read here"}; }
+Result<Raster> read_picture(std::string_view) { return Error{"", "no files are read here"}; }
 
 }  // namespace frond

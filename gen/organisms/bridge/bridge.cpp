@@ -132,6 +132,10 @@ namespace {
 
 class BridgeGrower final : public Described<BridgeParams, BodyBuilder> {
  public:
+  static constexpr std::string_view kLeading[] = {"style", "length",     "width",       "height",
+                                                  "crown", "posts",      "rail_height", "balusters",
+                                                  "color", "weathering", "moss"};
+
   Errors check() const override { return {}; }
   Result<SizeEstimate> estimate_size(Seed) const override {
     const BridgeShape& b = params.shape;

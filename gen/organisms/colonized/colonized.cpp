@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "crown/aside.h"
-#include "geometry/obj.h"
+#include "geometry/mesh_file.h"
 #include "geometry/smooth.h"
+#include "images/read_picture.h"
 #include "organisms/crown_leaves.h"
 
 namespace frond {
@@ -145,9 +146,8 @@ Result<Silhouette> silhouette_of(const NamedFile& file) {
     Result<std::vector<std::vector<Vec2>>> drawn = read_svg(file.text);
     return drawn ? upright(std::move(*drawn)) : drawn.errors();
   }
-  Result<Raster> picture = read_png(file.text);
-  if (!picture)
-    return Error{file.path.string(), picture.errors().front().what + "; expected an SVG or a PNG file"};
+  Result<Raster> picture = read_picture(file.text);
+  if (!picture) return Error{file.path.string(), picture.errors().front().what + ", or an SVG"};
   return Silhouette::from_picture(*picture);
 }
 

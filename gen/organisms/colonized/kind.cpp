@@ -29,7 +29,8 @@ void describe(Visitor& v, EnvelopeParams& e) {
            "Width of a cone's top as a share of its foot. Needs \"shape\": \"cone\"");
   v.file(
       "file", e.file, [&](const NamedFile& file) { return load_envelope(file, e); },
-      "An OBJ file for a mesh, an SVG or PNG for an outline, named as seen from the preset's folder",
+      "A mesh (OBJ, PLY, STL, GLB), or an SVG or a picture for an outline, named as seen from the preset's "
+      "folder",
       e.kind == EnvelopeKind::mesh || e.kind == EnvelopeKind::outline);
   v.text("path", e.path, "SVG path data of the silhouette. Needs \"shape\": \"outline\"");
 }
@@ -73,6 +74,11 @@ namespace {
 
 class ColonizedGrower final : public Described<ColonizedParams, LoneGrower> {
  public:
+  static constexpr std::string_view kLeading[] = {
+      "envelope/shape",      "envelope/base", "envelope/height",  "envelope/width",  "envelope/top",
+      "colonize/attractors", "colonize/kill", "colonize/tropism", "colonize/jitter", "thickness/exponent",
+      "leaves/shape",        "leaves/size",   "leaves/colors"};
+
   Errors check() const override {
     Errors errors = check_colonized(params);
     return errors.empty() ? check_pictures(params.dress) : errors;

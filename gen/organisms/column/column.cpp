@@ -39,6 +39,9 @@ namespace {
 
 class ColumnGrower final : public Described<ColumnParams, BodyBuilder> {
  public:
+  static constexpr std::string_view kLeading[] = {"height",      "radius", "taper", "entasis",   "flutes",
+                                                  "flute_depth", "broken", "stone", "weathering"};
+
   Errors check() const override { return {}; }
   Result<SizeEstimate> estimate_size(Seed) const override {
     SizeEstimate column;

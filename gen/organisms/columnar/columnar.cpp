@@ -46,6 +46,10 @@ namespace {
 
 class ColumnarGrower final : public Described<ColumnarParams, ColonyGrower> {
  public:
+  static constexpr std::string_view kLeading[] = {
+      "accretion/across", "accretion/up",    "accretion/layers",    "accretion/light", "accretion/hunger",
+      "accretion/upward", "accretion/lumps", "accretion/lump_size", "tissue/color"};
+
   Errors check() const override {
     const Accretion& a = params.accretion;
     if (a.edge * 6 > std::min(a.across, a.up))

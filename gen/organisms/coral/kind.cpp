@@ -75,6 +75,11 @@ Result<SizeEstimate> word_size(const CoralParams& params, Seed seed) {
 
 class CoralGrower final : public Described<CoralParams, ColonyGrower> {
  public:
+  static constexpr std::string_view kLeading[] = {
+      "form",           "steps",     "height",       "pitch",       "roll",
+      "angle_jitter",   "internode", "length_scale", "width_scale", "thickness/radius",
+      "thickness/knob", "lift"};
+
   Errors check() const override {
     bool own = params.form == CoralForm::own;
     if (own && params.grammar.where.ends_with("/steps"))

@@ -28,6 +28,9 @@ namespace {
 
 class FanGrower final : public Described<FanParams, ColonyGrower> {
  public:
+  static constexpr std::string_view kLeading[] = {"across", "height", "mesh",   "ragged", "links",
+                                                  "thread", "foot",   "gather", "curl",   "skin/kind"};
+
   FanGrower() { params.skin.kind = SkinKind::fan; }
   Errors check() const override {
     if (params.mesh * 5 > std::min(params.across, params.height))

@@ -19,14 +19,18 @@ std::vector<Start> starts_at_own_foot(const IvyParams& params, const Support& un
   return starts_at_foot(host, count, buried + params.above, params.facing, seed.child("foot"));
 }
 
-/// Where a mask stops strands none begins: others begin all over what it leaves instead, far from each other
+/// Whether strands may not begin there: the host bars them, or the mask of the ivy does.
+bool is_barred(const Start& start, const IvyParams& params, const Host& host) {
+  std::optional<Contact> near = host.closest(start.place);
+  if (!near || host.paint(near->triangle, near->point).z < 0) return true;
+  const std::optional<CrawlMask>& mask = params.crawl.mask;
+  return mask && mask->stops > 0 && mask->at(host, near->triangle, near->point) < mask->stops;
+}
+
+/// Where strands may not begin none does: others begin all over what it leaves instead, far from each other
 /// (Mitchell 1991, by the best of some candidates).
 void move_into_mask(std::vector<Start>& starts, const IvyParams& params, const Host& host, Seed seed) {
-  const CrawlMask& mask = *params.crawl.mask;
-  auto barred = [&](const Start& start) {
-    std::optional<Contact> near = host.closest(start.place);
-    return !near || mask.at(host, near->triangle, near->point) < mask.stops;
-  };
+  auto barred = [&](const Start& start) { return is_barred(start, params, host); };
   auto averted = [&](const Start& start) {
     DVec3 facing(params.facing);
     if (glm::length(facing) <= 0) return false;
@@ -70,8 +74,7 @@ std::vector<Start> starts_of(const IvyParams& params, const Support& under, cons
   if (others.empty() && roots.empty())
     others =
         starts_around(host, more, Vec3((host.low() + host.high()) / 2.0), host.size(), seed.child("around"));
-  if (params.crawl.mask && params.crawl.mask->stops > 0)
-    move_into_mask(others, params, host, seed.child("mask"));
+  move_into_mask(others, params, host, seed.child("mask"));
   starts.insert(starts.end(), others.begin(), others.end());
   return starts;
 }

@@ -141,8 +141,8 @@ std::vector<Bud> buds_along(const Plan& plan, double step) {
 }
 
 /// Lays leaves down on what is under them, some on another petiole or smaller. What finds no rest is dropped.
-void rest_all(const Plan& plan, const std::vector<std::vector<Vec3>>& feelers, float slide,
-              std::vector<Bud>& buds, std::vector<LaidLeaf>& laid) {
+void rest_all(const Plan& plan, const std::vector<Feelers>& feelers, float slide, std::vector<Bud>& buds,
+              std::vector<LaidLeaf>& laid) {
   constexpr std::size_t kBlock = 64;
   std::vector<std::uint8_t> rests(laid.size(), 0);
   auto lay_down = [&](std::size_t i) {
@@ -260,7 +260,7 @@ void add_organ(Model& model, const Plan& plan, const Bud& bud, const LaidLeaf& l
 std::size_t add_single_leaves(Model& model, const Plan& plan, std::vector<Bud>& buds,
                               const std::vector<LeafForm>& forms, std::vector<LaidLeaf>& laid) {
   int detail = laid.size() < 6000 ? 2 : 1;
-  std::vector<std::vector<Vec3>> feelers;
+  std::vector<Feelers> feelers;
   for (std::uint32_t i = 0; i < forms.size(); ++i) {
     Surface leaf = ivy_leaf_surface(leaf_shape(i, detail));
     feelers.push_back(feelers_of(leaf, 0.09f));
@@ -286,7 +286,7 @@ bool may_be_single(const Strands& strands, const IvyLeaves& leaves) {
 
 std::size_t add_sprigs(Model& model, const Plan& plan, const std::vector<LeafForm>& leaf_forms) {
   std::vector<LeafForm> forms;
-  std::vector<std::vector<Vec3>> feelers;
+  std::vector<Feelers> feelers;
   for (std::uint32_t h = 0; h < kHeadings; ++h)
     for (std::uint32_t v = 0; v < kSprigVariants; ++v) {
       Seed own = plan.seed.child("sprig", h * kSprigVariants + v);

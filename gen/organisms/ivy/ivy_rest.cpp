@@ -1,6 +1,7 @@
 #include "organisms/ivy/ivy_rest.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace frond {
 
@@ -73,10 +74,35 @@ void touches_of(const Support& under, std::span<const Vec3> feelers, float size,
   if (deepest >= 0) touches.clear();
 }
 
+/// Where edges of a leaf whose points lie free go through the host: what is thin or sharp there fits between
+/// the points.
+void cuts_of(const Support& under, const Feelers& feelers, float size, const Rest& rest,
+             std::span<const Free> free, std::vector<Touch>& touches) {
+  auto at = [&](const Vec3& p) { return rest.foot + rest.turn * (p * size); };
+  auto within = [](const Free& ball, const Vec3& p) {
+    Vec3 apart = p - ball.middle;
+    return glm::dot(apart, apart) < ball.radius * ball.radius;
+  };
+  for (const auto& [from, to] : feelers.edges) {
+    Vec3 a = at(from), b = at(to);
+    if (std::ranges::any_of(free, [&](const Free& ball) { return within(ball, a) && within(ball, b); }))
+      continue;
+    std::optional<Crossing> cut = under.host.crossing(DVec3(a), DVec3(b));
+    if (!cut) continue;
+    DVec3 along = DVec3(b) - DVec3(a);
+    double rises = glm::dot(along, cut->normal);
+    // The end that is behind the triangle is lifted out of it.
+    double depth = rises < 0 ? -rises * (1 - cut->share) : rises * cut->share;
+    touches.push_back({DVec3((rises < 0 ? b : a) - rest.foot) / double(size), cut->normal,
+                       std::min(depth / size + kClear, kDeepest)});
+  }
+}
+
 }  // namespace
 
-std::vector<Vec3> feelers_of(const Surface& surface, float apart) {
-  std::vector<Vec3> feelers;
+Feelers feelers_of(const Surface& surface, float apart) {
+  Feelers made;
+  std::vector<Vec3>& feelers = made.points;
   auto add = [&](const Vec3& p) {
     for (const Vec3& other : feelers)
       if (glm::distance(p, other) < apart) return;
@@ -95,17 +121,28 @@ std::vector<Vec3> feelers_of(const Surface& surface, float apart) {
       for (int k = 0; i + k <= cuts; ++k)
         add((p * float(i) + q * float(k) + r * float(cuts - i - k)) / float(cuts));
   }
-  return feelers;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (auto [a, b, c] : surface.triangle)
+    if (blade(a))
+      for (auto [from, to] : {std::pair(a, b), {b, c}, {c, a}})
+        edges.emplace_back(std::min(from, to), std::max(from, to));
+  std::ranges::sort(edges);
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  for (auto [from, to] : edges) made.edges.push_back({surface.position[from], surface.position[to]});
+  return made;
 }
 
-bool lie_on(const Support& under, std::span<const Vec3> feelers, float size, float slide, Vec3 out,
-            Rest& rest) {
+bool lie_on(const Support& under, const Feelers& feelers, float size, float slide, Vec3 out, Rest& rest) {
   std::vector<Free> free;
   std::vector<Touch> touches;
   DVec3 off(out);
   double slid = 0;
+  auto feel = [&] {
+    touches_of(under, feelers.points, size, rest, free, touches);
+    if (touches.empty()) cuts_of(under, feelers, size, rest, free, touches);
+  };
   for (int round = 0; round < kRounds; ++round) {
-    touches_of(under, feelers, size, rest, free, touches);
+    feel();
     if (touches.empty()) return !swallowed(under, free);
     // The least turn and slide that clear all of them at once, in the sense of least squares.
     glm::dmat4 squares(0.02);
@@ -127,7 +164,7 @@ bool lie_on(const Support& under, std::span<const Vec3> feelers, float size, flo
     slid += along;
     rest.foot += out * static_cast<float>(along * size);
   }
-  touches_of(under, feelers, size, rest, free, touches);
+  feel();
   return touches.empty() && !swallowed(under, free);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -13,9 +14,14 @@ struct Support {
   const GroundHeight& ground;
 };
 
-/// Points on the blades of a leaf or sprig, about `apart` from each other, in units of the form, used to test
-/// contact. Only vertices of `surface` with a blade's `uv` count.
-std::vector<Vec3> feelers_of(const Surface& surface, float apart);
+/// How the blades of a leaf or sprig feel what is near, in units of the form.
+struct Feelers {
+  std::vector<Vec3> points;                ///< all over them
+  std::vector<std::array<Vec3, 2>> edges;  ///< of all their triangles, each once
+};
+
+/// Those of a surface, points about `apart` from each other. Only what has a blade's `uv` counts.
+Feelers feelers_of(const Surface& surface, float apart);
 
 /// The position of a leaf.
 struct Rest {
@@ -24,8 +30,8 @@ struct Rest {
 };
 
 /// Rotates a leaf (`size`: metres per unit) about its foot, and moves it by up to `slide` units toward `out`,
-/// as little as possible, until no feeler is inside the host or the ground. False if that fails.
-bool lie_on(const Support& under, std::span<const Vec3> feelers, float size, float slide, Vec3 out,
-            Rest& rest);
+/// as little as possible, until no point is inside the host or the ground and no edge goes through the host.
+/// False if that fails.
+bool lie_on(const Support& under, const Feelers& feelers, float size, float slide, Vec3 out, Rest& rest);
 
 }  // namespace frond

@@ -8,6 +8,7 @@
 
 #include "core/parallel.h"
 #include "dress/describe.h"
+#include "geometry/mesh_file.h"
 #include "geometry/obj.h"
 #include "images/describe_mask.h"
 #include "organisms/ivy/ivy.h"
@@ -78,7 +79,8 @@ template <class Visitor>
 void describe(Visitor& v, CrawlMask& m) {
   v.file(
       "file", m.picture.file, [&](const NamedFile& file) { return load_mask(file, m.picture); },
-      "A PNG file, laid on by the texture coordinates of a mesh (`vt`) or over the face of a wall unless "
+      "A picture (PNG, JPEG or WebP), laid on by the texture coordinates of a mesh (`vt`) or over the face "
+      "of a wall unless "
       "along is given; its brightness counts. Without it, the grey of a mesh's vertex colours (`v x y z r g "
       "b`)");
   describe_projection(v, m.picture);
@@ -169,7 +171,8 @@ void describe(Visitor& v, Walkers& w) {
   v.aspect(Aspect::look);
   v.file(
       "file", w.file, [&](const NamedFile& file) { return load_unit_mesh(file, w.mesh); },
-      "A Wavefront OBJ file of the body, named as seen from the preset's folder: y is up, it walks toward z; "
+      "A mesh (OBJ, PLY, STL, GLB) of the body, named as seen from the preset's folder: y is up, it walks "
+      "toward z; "
       "without it a beetle walks");
   v.number("size", w.size, {.min = 0.0005, .max = 10, .unit = "m"}, "Length of the body");
   v.number("size_variation", w.size_variation, {.min = 0, .max = 0.9},
@@ -225,6 +228,11 @@ namespace {
 
 class IvyGrower final : public Described<IvyParams, Grower> {
  public:
+  static constexpr std::string_view kLeading[] = {"on",           "crawl/max_age",      "crawl/wander",
+                                                  "crawl/bias",   "crawl/branch_every", "crawl/branch_angle",
+                                                  "crawl/radius", "crawl/low",          "crawl/high",
+                                                  "leaves/size",  "leaves/spacing",     "leaves/colors"};
+
   GrowthStage stage() const override { return GrowthStage::creeping; }
   bool stands_on_rock() const override { return false; }
   Errors check() const override {
@@ -258,12 +266,16 @@ class IvyGrower final : public Described<IvyParams, Grower> {
   Result<SizeEstimate> estimate_size(Seed) const override {
     const Crawl& crawl = params.crawl;
     double length = std::min(crawl.max_age * crawl.speed, crawl.max_length);
+    constexpr double kMaskPixel = 4;  // bytes that are held, of what paints its host
+    double painted = 0;
+    if (crawl.mask && !crawl.mask->picture.empty())
+      painted = 2 * kMaskPixel * static_cast<double>(crawl.mask->picture.grey->size());
     double steps = length / crawl.speed, branches = crawl.branch_depth > 0 ? length / crawl.branch_every : 0;
     SizeEstimate ivy;
     if (!crawl.trace) {
       ivy.organs = ivy.parts = 1;
       ivy.shapes = 9000;
-      ivy.held = 80 * steps;
+      ivy.held = painted + 80 * steps;
       return ivy;
     }
     ivy.nodes = std::min(steps * (1 + 1.5 * branches), static_cast<double>(crawl.most_nodes));
@@ -271,6 +283,7 @@ class IvyGrower final : public Described<IvyParams, Grower> {
     ivy.shapes = 9000;
     ivy.riding = true;
     ivy.nodes_a_second = 1.5e4;
+    ivy.held = painted;
     return ivy;
   }
   double tallest() const override { return 0; }

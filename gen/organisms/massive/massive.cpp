@@ -79,6 +79,9 @@ namespace {
 
 class MassiveGrower final : public BodyColony<MassiveParams> {
  public:
+  static constexpr std::string_view kLeading[] = {"across", "height", "lumps", "lump_size",
+                                                  "relief", "valley", "depth", "tissue/color"};
+
   Errors check() const override {
     if (params.edge * 8 > std::min(params.across, params.height))
       return {{"/edge",

@@ -1,20 +1,13 @@
 #include "organisms/mesh/mesh.h"
 
-#include "geometry/obj.h"
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "organisms/kinds.h"
 #include "preset/reader.h"
 
 namespace frond {
-
-Result<Model> build_mesh_model(const MeshParams& params) {
-  if (params.mesh.triangle.empty()) return Error{"", "file \"" + params.file.name + "\" has not been read"};
-  Model model;
-  Material matter{params.matter, params.color, params.second, params.scale};
-  matter.moss = params.weathering;
-  Vec3 size(static_cast<float>(params.size));
-  model.solids.place(model.solids.add_shape({params.mesh, matter}), Vec3(0), Quat(1, 0, 0, 0), size);
-  return model;
-}
 
 inline constexpr Choice<Matter> kMeshMatters[] = {
     {"plain", Matter::plain, "one matt colour"},
@@ -23,17 +16,42 @@ inline constexpr Choice<Matter> kMeshMatters[] = {
     {"brick", Matter::brick, "fired clay"},
     {"paint", Matter::paint, "painted wood"}};
 
+inline constexpr Choice<UpAxis> kUpAxes[] = {{"y", UpAxis::y, "y is up, and z comes to the front"},
+                                             {"z", UpAxis::z, "z is up, and -y comes to the front"}};
+
+inline constexpr Choice<LengthUnit> kLengthUnits[] = {{"mm", LengthUnit::millimetres, "millimetres"},
+                                                      {"cm", LengthUnit::centimetres, "centimetres"},
+                                                      {"m", LengthUnit::metres, "metres"},
+                                                      {"in", LengthUnit::inches, "inches"},
+                                                      {"ft", LengthUnit::feet, "feet"}};
+
+// The file is cut as `up` and `parts` say, so these are read before it.
 template <class Visitor>
 void describe(Visitor& v, MeshParams& m) {
+  v.choice("up", m.up, kUpAxes, "Axis of the file that points up");
+  v.list("parts", m.parts,
+         "Names of the objects, groups or materials of the file that are taken; without any, all");
   v.file(
-      "file", m.file, [&](const NamedFile& file) { return load_unit_mesh(file, m.mesh); },
-      "A Wavefront OBJ file, named as seen from the preset's folder or from where Frond runs; y is up, and "
+      "file", m.file, [&](const NamedFile& file) { return load_mesh_body(file, m); },
+      "A mesh as Wavefront OBJ, PLY, STL or GLB, named as seen from the preset's folder or from where Frond "
+      "runs; "
       "the middle of its underside stands at its place");
   v.required("file");
   v.number("size", m.size, {.min = 0.001, .max = 100, .unit = "m"},
            "Length of its longest side, to which the file is scaled");
-  v.choice("matter", m.matter, kMeshMatters, "What it is made of");
-  v.color("color", m.color, "Colour of its surface");
+  v.given("size", m.own_size);
+  v.choice("unit", m.unit, kLengthUnits,
+           "Unit of length of the file, which keeps its size; in place of size");
+  v.list("carries", m.carries,
+         "Names of the objects, groups or materials of the file that others may creep on; without any, all");
+  v.choice("matter", m.matter, kMeshMatters,
+           "What it is made of; without it, what the file's materials say of colour, picture and opacity, if "
+           "it has "
+           "any");
+  v.given("matter", m.own_matter);
+  v.color("color", m.color,
+          "Colour of its surface; without it, the colours of the file's materials, if it has any");
+  v.given("color", m.own_color);
   v.color("second", m.second, "Colour of stains and cracks");
   v.number("scale", m.scale, {.min = 0.001, .max = 10, .unit = "m"}, "Size of the pattern");
   v.number("weathering", m.weathering, {.min = 0, .max = 1}, "How much soot, damp and moss there is");
@@ -44,21 +62,52 @@ namespace {
 
 class MeshGrower final : public Described<MeshParams, BodyBuilder> {
  public:
+  static constexpr std::string_view kLeading[] = {"file",   "size",  "matter",    "color",
+                                                  "second", "scale", "weathering"};
+
   Errors check() const override {
     if (params.file.empty()) return {Error{"/file", "is empty; expected the name of a file"}};
+    if (params.unit && params.own_size)
+      return {Error{"/size", "says how large the body is, and so does unit; expected one of them"}};
+    if (!params.body) return {};
+    constexpr double kLeast = 0.001, kMost = 1000;
+    if (double size = size_of(params); params.unit && !(size >= kLeast && size <= kMost))
+      return {Error{"/unit",
+                    fmt::format("makes the body {:.4g} m long; expected {} to {} m", size, kLeast, kMost)}};
+    for (auto [pointer, names] : {std::pair("/parts", &params.parts), {"/carries", &params.carries}})
+      if (Errors errors = name_faults(pointer, *names); !errors.empty()) return errors;
     return {};
+  }
+  Errors doubts() const override { return mesh_doubts(params); }
+  Dress dress() const override {
+    Dress dress;
+    dress.look.pictures = mesh_pictures(params);
+    return dress;
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
     SizeEstimate mesh;
-    mesh.triangles = static_cast<double>(params.mesh.triangle.size());
+    mesh.triangles = params.body ? static_cast<double>(params.body->cut.surface.triangle.size()) : 0;
     mesh.blocks = 1;
     return mesh;
   }
   Result<Model> grow_alone(Seed) const override { return build_mesh_model(params); }
+
+ private:
+  /// Of a list of names, those that the file does not have.
+  Errors name_faults(std::string_view pointer, const std::vector<std::string>& names) const {
+    std::vector<std::string_view> known(params.body->names.begin(), params.body->names.end());
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (std::ranges::find(known, names[i]) != known.end()) continue;
+      std::string what = fmt::format("no part of {} is named \"{}\"", params.file.name, names[i]);
+      if (known.empty()) return {Error{fmt::format("{}/{}", pointer, i), what + "; none has a name"}};
+      return {Error{fmt::format("{}/{}", pointer, i), what + expected_names(names[i], known)}};
+    }
+    return {};
+  }
 };
 
 }  // namespace
 
-Kind<Organism> mesh_kind() { return make_grower<MeshGrower>("mesh", "A body from an OBJ file"); }
+Kind<Organism> mesh_kind() { return make_grower<MeshGrower>("mesh", "A body from a file of a mesh"); }
 
 }  // namespace frond

@@ -103,6 +103,9 @@ namespace {
 
 class MushroomGrower final : public BodyColony<MushroomParams> {
  public:
+  static constexpr std::string_view kLeading[] = {"across", "height", "oval",
+                                                  "septa",  "depth",  "tissue/color"};
+
   Errors check() const override { return {}; }
   Result<SizeEstimate> estimate_size(Seed) const override {
     SizeEstimate sight;

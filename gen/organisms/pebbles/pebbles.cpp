@@ -94,6 +94,10 @@ namespace {
 
 class PebblesGrower final : public Described<PebblesParams, BodyBuilder> {
  public:
+  static constexpr std::string_view kLeading[] = {
+      "number",          "radius",     "inner",      "least_size", "most_size", "shapes", "weathering/facets",
+      "weathering/edge", "stone/kind", "stone/moss", "buried"};
+
   Errors check() const override {
     Errors faults = check_pebbles(params);
     return faults.empty() ? check_stone(params.stone) : faults;

@@ -4,8 +4,9 @@
 
 #include "dress/describe.h"
 #include "dress/picture_bounds.h"
-#include "geometry/obj.h"
+#include "geometry/mesh_file.h"
 #include "grammar/figure.h"
+#include "grammar/kind.h"
 #include "organisms/asking.h"
 #include "organisms/describe_grammar.h"
 #include "organisms/grammar_faults.h"
@@ -52,7 +53,8 @@ void describe(Visitor& v, OrganParams& o) {
   v.choice("shape", o.shape, kOrganShapes, "What the organ is");
   v.file(
       "file", o.file, [&](const NamedFile& file) { return load_unit_mesh(file, o.mesh); },
-      "A Wavefront OBJ file, named as seen from the preset's folder: y is up, the middle of its underside is "
+      "A mesh (OBJ, PLY, STL, GLB), named as seen from the preset's folder: y is up, the middle of its "
+      "underside is "
       "its foot, its longest side becomes size. Needs \"shape\": \"obj\"",
       o.shape == OrganShape::obj);
   v.number("size", o.size, {.min = 0.00001, .max = 1000, .unit = "m"},
@@ -110,9 +112,11 @@ void describe(Visitor& v, PlantGrammar& g) {
   describe_grammar(
       v, g,
       [&](const NamedFile& file) {
-        return file.path.extension() == ".l" ? load_cpfg(file, g) : load_grammar(file, g);
+        return grammar_kind(file.path.string(), file.text) == GrammarKind::cpfg ? load_cpfg(file, g)
+                                                                                : load_grammar(file, g);
       },
-      "A grammar of LParser (.ls) or Houdini (.txt), named as seen from this file's folder, where what else "
+      "A grammar of LParser, Houdini or Fractint or a skeleton as SWC, named as seen from this file's "
+      "folder, where what else "
       "is given here counts in place of what stands there; or a model of cpfg (.l), which takes only steps, "
       "limits and vary from here");
   v.boolean("vary", g.vary,
@@ -190,6 +194,11 @@ Result<SizeEstimate> word_size(const PlantParams& params, Seed seed) {
 
 class PlantGrower final : public Described<PlantParams, LoneGrower> {
  public:
+  static constexpr std::string_view kLeading[] = {
+      "height",    "grammar/steps", "grammar/angle",  "grammar/angle_jitter", "grammar/length_jitter",
+      "stand",     "smoothing",     "thickness/from", "thickness/radius",     "thickness/exponent",
+      "bark/kind", "bark/colors",   "organs"};
+
   Errors check() const override {
     if (params.grammar.cpfg) return cpfg_faults(params);
     if (params.grammar.vary)

@@ -40,6 +40,18 @@ namespace {
 
 class RockGrower final : public Described<RockParams, BodyBuilder> {
  public:
+  static constexpr std::string_view kLeading[] = {"size",
+                                                  "lying",
+                                                  "weathering/facets",
+                                                  "weathering/facet_depth",
+                                                  "weathering/edge",
+                                                  "weathering/roughness",
+                                                  "weathering/strata",
+                                                  "stone/kind",
+                                                  "stone/color",
+                                                  "stone/moss",
+                                                  "buried"};
+
   Errors check() const override {
     Errors faults = check_rock(params.shape);
     return faults.empty() ? check_stone(params.stone) : faults;

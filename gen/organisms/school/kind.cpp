@@ -60,6 +60,10 @@ constexpr double kMostFish = 5000;
 
 class School final : public Described<SchoolParams, Grower> {
  public:
+  static constexpr std::string_view kLeading[] = {"fish/length",  "fish/form",     "swim/speed",
+                                                  "swim/spacing", "swim/cohesion", "swim/alignment",
+                                                  "swim/wander",  "swim/layer",    "swim/roam"};
+
   GrowthStage stage() const override { return GrowthStage::swimming; }
   std::optional<Spread> spread() const override { return std::nullopt; }
   bool stands_on_rock() const override { return false; }

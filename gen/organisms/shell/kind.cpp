@@ -93,6 +93,10 @@ namespace {
 
 class ShellGrower final : public Described<ShellParams, ColonyGrower> {
  public:
+  static constexpr std::string_view kLeading[] = {"form",        "size",         "expansion",  "distance",
+                                                  "translation", "aspect",       "whorls",     "ribs/count",
+                                                  "ribs/height", "look/pattern", "look/color", "look/second"};
+
   bool stands_on_rock() const override { return false; }
   Errors check() const override {
     Errors errors;

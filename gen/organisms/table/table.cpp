@@ -170,14 +170,23 @@ namespace {
 
 class TableGrower final : public BodyColony<TableParams> {
  public:
+  static constexpr std::string_view kLeading[] = {"across",    "height",    "stalk",   "lobes",
+                                                  "thickness", "branchlet", "spacing", "tissue/color"};
+
   Errors check() const override { return check_edge(params.edge, params.across, 10); }
   std::shared_ptr<const Grower> coarse(double share) const override {
     return longer_edges(*this, share, [](auto& p) -> double& { return p.edge; });
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
-    SizeEstimate sight = estimate_surface(0.8 * params.across * params.across, params.edge);
+    constexpr double kBothSides = 1.6,
+                     kNarrow = 1.5;     // of the square across; rows are nearer than edges long
+    constexpr double kPlateHeld = 2.5;  // of its past, while the plate grows and is coarsened
+    double square = params.across * params.across;
+    SizeEstimate sight = estimate_surface(kNarrow * kBothSides * square, params.edge);
+    sight.area = kBothSides * square;
+    sight.held *= kPlateHeld;
     // Branchlets are added to what is seen of the plate.
-    sight.triangles += 40 * params.across * params.across / (params.spacing * params.spacing);
+    sight.triangles += 40 * square / (params.spacing * params.spacing);
     return sight;
   }
   Result<Model> grow_at(const Surroundings& around, Seed seed) const override {

@@ -49,6 +49,21 @@ void hurry(TreeParams& tree, double share) {
 /// Trees of a scene grow together, in one light.
 class TreeGrower final : public Described<TreeParams, Grower> {
  public:
+  static constexpr std::string_view kLeading[] = {"years",
+                                                  "habit/height",
+                                                  "habit/internode",
+                                                  "habit/branching_angle",
+                                                  "habit/apical_control",
+                                                  "habit/tropism",
+                                                  "habit/droop",
+                                                  "habit/wander",
+                                                  "habit/shade_tolerance",
+                                                  "habit/clear_trunk",
+                                                  "leaves/kind",
+                                                  "leaves/size",
+                                                  "leaves/colors",
+                                                  "bark/kind"};
+
   GrowthStage stage() const override { return GrowthStage::in_light; }
   bool stands_on_rock() const override { return true; }
   Errors check() const override {
@@ -140,10 +155,13 @@ class TreeGrower final : public Described<TreeParams, Grower> {
     }
     std::vector<Surface> bodies = world.bodies();
     Detour detour;
-    if (!bodies.empty())
-      detour = [obstacles = world.obstacles()](Vec3 from, Vec3 to, float clearance) {
-        return obstacles->way(from, to, clearance);
+    if (!bodies.empty()) {
+      Result<std::shared_ptr<const Obstacles>> obstacles = world.obstacles();
+      if (!obstacles) return std::vector<Result<Specimen>>(all.size(), obstacles.errors());
+      detour = [round = *obstacles](Vec3 from, Vec3 to, float clearance) {
+        return round->way(from, to, clearance);
       };
+    }
     Grove grove = grow_trees(sites, history, world.seed().child("weather"), bodies, detour, world.events(),
                              world.storms_toward());
 

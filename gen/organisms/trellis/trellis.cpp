@@ -79,6 +79,10 @@ namespace {
 
 class TrellisGrower final : public Described<TrellisParams, BodyBuilder> {
  public:
+  static constexpr std::string_view kLeading[] = {"form",  "width",  "height",    "posts",
+                                                  "wires", "lowest", "spacing",   "rays",
+                                                  "color", "metal",  "weathering"};
+
   Errors check() const override {
     const TrellisShape& s = params.shape;
     double parts = s.form == TrellisForm::lattice ? (s.width + s.height) / s.spacing : 0;

@@ -96,6 +96,9 @@ namespace {
 
 class TubeGrower final : public BodyColony<TubeParams> {
  public:
+  static constexpr std::string_view kLeading[] = {"form", "across", "height", "tubes", "radius",
+                                                  "wall", "bulge",  "lumps",  "ribs",  "tissue/color"};
+
   Errors check() const override { return check_edge(params.edge, params.radius, 1); }
   std::shared_ptr<const Grower> coarse(double share) const override {
     return longer_edges(*this, share, [](auto& p) -> double& { return p.edge; });

@@ -129,6 +129,10 @@ namespace {
 
 class VaseGrower final : public Described<VaseParams, BodyBuilder> {
  public:
+  static constexpr std::string_view kLeading[] = {"profile", "height", "wall",    "lip",
+                                                  "foot",    "sides",  "rings",   "material",
+                                                  "color",   "second", "crackle", "gloss"};
+
   Errors check() const override {
     Result<VesselProfile> profile = vessel_profile(params.shape);
     return profile ? Errors{} : profile.errors();

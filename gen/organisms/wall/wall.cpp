@@ -162,6 +162,10 @@ namespace {
 
 class WallGrower final : public Described<WallParams, BodyBuilder> {
  public:
+  static constexpr std::string_view kLeading[] = {"width",  "height", "thickness", "openings",
+                                                  "coping", "ruin",   "wear",      "weathering",
+                                                  "bricks", "mortar", "paint"};
+
   Errors check() const override { return {}; }
   Result<SizeEstimate> estimate_size(Seed) const override {
     const WallShape& w = params.shape;

@@ -165,6 +165,11 @@ constexpr double kMostNodes = 8e6;
 
 class WeberPennGrower final : public Described<WeberPennParams, LoneGrower> {
  public:
+  static constexpr std::string_view kLeading[] = {
+      "tree/shape",    "tree/scale",    "tree/base_size", "tree/ratio",      "tree/levels",
+      "tree/branches", "tree/twigs",    "tree/leaves",    "tree/leaf_scale", "tree/attraction_up",
+      "leaves/shape",  "leaves/colors", "bark/kind"};
+
   Errors check() const override {
     if (Errors errors = check_guide(params.guide); !errors.empty()) return errors;
     if (estimate_nodes(params.tree) < kMostNodes) return check_pictures(params.dress);

@@ -17,13 +17,13 @@ Lengths are metres, angles of presets degrees, times seconds. Arrays are of nump
 of what they were taken from, and keep it alive. A turn is a quaternion (x, y, z, w) of length 1.
 """
 
-from ._frond import Bodies, Figure, Mesh, Organism, Organs, Pose, Skeleton, Word, __version__, kinds, limit_threads, settings
+from ._frond import Bodies, CpfgModel, CpfgWord, Figure, Mesh, Organism, Organs, Pose, Skeleton, Word, __version__, kinds, limit_threads, settings
 from .faults import Fault, FrondError
 from .grammars import Grammar
 from .presets import Part, Preset, Scene, check, read, schema
 from .rendering import Render, render
 
 __all__ = [
-    "Bodies", "Fault", "Figure", "FrondError", "Grammar", "Mesh", "Organism", "Organs", "Part", "Pose", "Preset", "Render",
-    "Scene", "Skeleton", "Word", "__version__", "check", "kinds", "limit_threads", "read", "render", "schema", "settings",
+    "Bodies", "CpfgModel", "CpfgWord", "Fault", "Figure", "FrondError", "Grammar", "Mesh", "Organism", "Organs", "Part",
+    "Pose", "Preset", "Render", "Scene", "Skeleton", "Word", "__version__", "check", "kinds", "limit_threads", "read", "render", "schema", "settings",
 ]

@@ -193,6 +193,28 @@ class Grammar:
     def tree(self, steps: Optional[int] = ..., seed: Optional[int] = ...) -> str:
         """The derivation tree, as SVG."""
 
+class CpfgWord:
+    """A word of a model of cpfg."""
+    def __len__(self) -> int: ...
+    def __str__(self) -> str: ...
+    @property
+    def counts(self) -> Dict[str, int]:
+        """How often each letter occurs."""
+
+class CpfgModel:
+    """A model of the program cpfg, derived as it derives it: its seed, angle and colours are in its own files."""
+    def __init__(self, path: Path) -> None: ...
+    @property
+    def steps(self) -> int:
+        """Its derivation length."""
+    @property
+    def notes(self) -> List[str]:
+        """What has no effect, as a rule that can never match."""
+    def derive(self, steps: Optional[int] = ...) -> CpfgWord:
+        """The word after so many steps, those of the model unless they are given."""
+    def draw(self, steps: Optional[int] = ...) -> Figure:
+        """What its turtle draws, in its own units: branches, polygons as outlines, and where its surfaces stand as sites."""
+
 class Scene:
     organisms: List[Organism]
     notes: List[str]

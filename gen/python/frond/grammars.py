@@ -5,6 +5,7 @@ import os
 from typing import Any, Mapping, Optional, Union
 
 from . import _frond
+from ._frond import CpfgModel
 
 
 class Grammar(_frond.Grammar):
@@ -19,6 +20,8 @@ class Grammar(_frond.Grammar):
         super().__init__(grammar if isinstance(grammar, str) else json.dumps(grammar), name, assets)
 
     @classmethod
-    def read(cls, path: Union[str, "os.PathLike[str]"]) -> "Grammar":
-        """The grammar of a file: JSON, or of LParser (.ls) or Houdini (.txt)."""
+    def read(cls, path: Union[str, "os.PathLike[str]"]) -> Any:
+        """The grammar of a file: JSON, or of LParser (.ls) or Houdini (.txt); of a .l the model of cpfg, with what it names."""
+        if os.fspath(path).endswith(".l"):
+            return CpfgModel(path)
         return cls(_frond.read_text(path), os.fspath(path))

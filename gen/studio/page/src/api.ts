@@ -31,6 +31,8 @@ export interface Start {
   symbols: { symbol: string; doc: string }[];
   preset: Loaded | null;
   presets: Listed[];
+  /** The properties of which there are pictures, as "tree-habit-droop"; not told by an older server. */
+  strips?: string[];
 }
 export interface CostEstimate {
   nodes: number;
@@ -198,6 +200,10 @@ export async function ball(doc: Doc, entry: number, signal?: AbortSignal): Promi
   const answer = await call("POST", "/api/ball", { doc, entry }, signal);
   return answer.status === 200 ? answer.blob() : null;
 }
+/** What a property does: three pictures in a row. */
+export const strip = (name: string): string => withToken(`/api/strip/${encodeURIComponent(name)}.jpg`);
+/** A page of the documentation, as text. */
+export const docs = (name: string): string => withToken(`/api/docs/${encodeURIComponent(name)}`);
 export const galleryPicture = (name: string): string => withToken(`/api/gallery/${encodeURIComponent(name)}`);
 
 export interface SceneRequest {
@@ -206,8 +212,9 @@ export interface SceneRequest {
   have: string[];
   solo: number[] | null;
   hide: number[];
-  /** Ask the person where it would take longer than so many seconds; null: never. */
+  /** Ask the person where it would take longer than so many seconds, or be more nodes; null: never. */
   ask: number | null;
+  most?: number;
   /** Of what is not grown yet, just these organisms: the others are `missing` in the answer. */
   only?: number[];
   /** These roughly, in about this share of the time, 0..1. */
@@ -240,6 +247,28 @@ export async function derive(doc: Doc, entry: number, steps: number | null): Pro
   if (answer.status === 422) return ((await answer.json()) as { errors: Fault[] }).errors;
   if (!answer.ok) await refuse(answer);
   return (await answer.json()) as Derived;
+}
+
+/** The files that a grammar stands in, as seen from its folder, and of a model of cpfg its word. */
+export interface GrammarFiles {
+  /** Null: what is no text. */
+  files: { name: string; text: string | null }[];
+  steps: number;
+  /** How many the model makes by itself. */
+  of: number;
+  word: string | null;
+  length: number | null;
+  counts: Record<string, number>;
+  notes: string[];
+  errors: Fault[];
+}
+export const grammarFiles = (file: string, steps: number | null): Promise<GrammarFiles> => json("POST", "/api/grammar", { file, steps });
+/** Writes the grammar anew, with another text of one of its files, beside the presets; what is wrong with it where it cannot be read so. */
+export async function changeGrammar(file: string, name: string, text: string, of: string): Promise<{ file: string; path: string } | Fault[]> {
+  const answer = await call("POST", "/api/grammar/change", { file, name, text, of });
+  if (answer.status === 422) return ((await answer.json()) as { errors: Fault[] }).errors;
+  if (!answer.ok) await refuse(answer);
+  return (await answer.json()) as { file: string; path: string };
 }
 
 /** A branch of an organism as it stands at a time, with the address of the place on it that was meant. */
@@ -280,9 +309,28 @@ export async function render(doc: Doc, time: number, size: [number, number], qua
   if (!answer.ok) await refuse(answer);
   return (await answer.json()) as { id: string };
 }
-/** Writes the scene as it is at a time into a file of that type, as ".glb"; where that is. */
-export async function exported(doc: Doc, time: number, type: string): Promise<{ file: string } | Fault[]> {
-  const answer = await call("POST", "/api/export", { doc, time, type });
+/** How a scene is exported: by default as it is at the time. */
+export interface ExportOrder {
+  /** An extension, as ".glb". */
+  type: string;
+  /** Triangles of one organism, about. */
+  detail?: number;
+  /** Of detail. */
+  levels?: number;
+  /** How it sways and grows over the film comes with it. */
+  wind?: boolean;
+}
+/** How large what would be written is, about; `triangles`: of each level; `sown`: plants that are not counted. */
+export interface ExportSize {
+  triangles: number[];
+  vertices: number;
+  bytes: number;
+  sown: number;
+}
+export const exportSize = (doc: Doc, time: number, order: ExportOrder): Promise<ExportSize> => json("POST", "/api/export/size", { doc, time, ...order });
+/** Writes the scene as it is at a time into a file; where that is. */
+export async function exported(doc: Doc, time: number, order: ExportOrder): Promise<{ file: string } | Fault[]> {
+  const answer = await call("POST", "/api/export", { doc, time, ...order });
   if (answer.status === 422) return ((await answer.json()) as { errors: Fault[] }).errors;
   if (!answer.ok) await refuse(answer);
   return (await answer.json()) as { file: string };
@@ -323,10 +371,10 @@ export async function save(file: string, doc: Doc, disk: string | null, overwrit
 }
 
 /** Puts an OBJ file beside the presets; answers the name to write into an organism of kind "mesh". */
-export const mesh = (name: string, file: Blob): Promise<{ file: string }> => json("POST", `/api/mesh?name=${encodeURIComponent(name)}`, file);
+export const mesh = (name: string, file: Blob, of: string): Promise<{ file: string }> => json("POST", `/api/mesh?name=${encodeURIComponent(name)}&of=${encodeURIComponent(of)}`, file);
 
 /** Puts a PNG beside the presets; answers the name to write into a property that names one. */
-export const painted = (name: string, file: Blob): Promise<{ file: string; path: string }> => json("POST", `/api/painted?name=${encodeURIComponent(name)}`, file);
+export const painted = (name: string, file: Blob, of: string): Promise<{ file: string; path: string }> => json("POST", `/api/painted?name=${encodeURIComponent(name)}&of=${encodeURIComponent(of)}`, file);
 /** That of a picture that a preset names. */
 export const paintedAddress = (file: string): string => `${withToken("/api/painted")}&file=${encodeURIComponent(file)}`;
 

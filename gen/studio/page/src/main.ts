@@ -2,13 +2,14 @@
  * The studio's page.
  *
  * Marks (data-testid) that tests in a browser may rely on:
- *   top bar      to-gallery file unsaved undo redo save save-as-button export seed variations render theme side
+ *   top bar      to-gallery file unsaved undo redo save save-as-button export seed variations render help theme side more-acts
  *   outline      part:preset part:scene part:all organisms organism:N solo:N hide:N more:N add-organism
  *   properties   search group:PATH row:PATH (of organisms row:organism/PATH) scope:PATH animate:PATH seed-dice open-grammar species make-own
+ *   help         help keys doc:NAME
  *   tools        tool:NAME draw-what draw-width draw-pull draw-finish placed place-snap place-brush place:NAME branch branch-address cut-year
  *                branch:NAME painted paint-what brush-size brush-value brush-strength brush-erase paint:NAME measured
- *   view         two-views second-view second:SIDE keep-a keep-wipe back-to-a
- *                view scene-status look-through set-camera view:NAME growing stop-growing grow-on estimate time play time-key:SECONDS
+ *   view         views two-views second-view second-views second:SIDE keep-a keep-wipe back-to-a
+ *                view scene-status refining look-through set-camera view:NAME growing stop-growing grow-on estimate time play time-key:SECONDS
  *   drawer       tab:problems tab:grammar tab:text tab:library tab:film tab:renders; problems text
  *   library      library library:organisms library:materials library-search library:NAME swatch on-plant
  *   grammar      grammar-panel axiom rules:rules rules:interpretation rules:decomposition derive-steps derive-figures word
@@ -48,6 +49,7 @@ import { exportMenu } from "./panels/exports";
 import { filmPanel } from "./panels/film";
 import { gallery } from "./panels/gallery";
 import { grammarPanel } from "./panels/grammar_panel";
+import { showHelp } from "./panels/help";
 import { inspector } from "./panels/inspector";
 import { offerLeft } from "./panels/left";
 import { library } from "./panels/library";
@@ -127,6 +129,7 @@ function build(): void {
       { name: "film", label: "Film", element: film.element, opened: film.opened, closed: film.closed },
       { name: "renders", label: "Renders", element: made.element, opened: () => void made.reload().catch(() => undefined) },
     ],
+    () => innerWidth <= NARROW && workshop.classList.add("no-side"), // one sheet at a time
   );
   const properties = inspector(store, {
     vary: variations.vary,
@@ -142,7 +145,10 @@ function build(): void {
   const workshop = el("div.workshop", { hidden: true }, center, side);
   // A small window shows the view first.
   workshop.classList.toggle("no-side", innerWidth <= NARROW);
-  const toggleSide = (): void => void workshop.classList.toggle("no-side");
+  const toggleSide = (): void => {
+    const hidden = workshop.classList.toggle("no-side");
+    if (!hidden && innerWidth <= NARROW && below.current()) below.close();
+  };
   const bar = topBar(store, {
     gallery: () => void leave(),
     save: () => void save(store),
@@ -156,6 +162,7 @@ function build(): void {
     seed: () => store.set(["seed"], anySeed()),
     side: toggleSide,
     theme: toggleTheme,
+    help: () => void showHelp(),
   });
   const banner = linkBanner(store, () => {
     scene.loop.want();
@@ -167,6 +174,8 @@ function build(): void {
     workshop.hidden = !store.isOpen;
     begin.element.hidden = store.isOpen;
     if (!store.isOpen) begin.show();
+    // What had the focus is out of sight.
+    if (document.activeElement === document.body || begin.element.contains(document.activeElement)) (store.isOpen ? scene.view : begin).focus();
     pane.close();
     film.close();
     variations.close();
@@ -199,6 +208,7 @@ function build(): void {
     camera: scene.toggleCamera,
     ...scene.looks,
     tool: (name) => store.isOpen && scene.tools.choose(name),
+    help: () => void showHelp(),
     search: () => document.querySelector<HTMLElement>(store.isOpen ? "[data-testid=search]" : "[data-testid=gallery-search]")?.focus(),
   });
   addEventListener("pagehide", () => store.keepDraft());

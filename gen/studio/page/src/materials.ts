@@ -4,7 +4,7 @@ import * as api from "./api";
 import { setAt } from "./edits";
 import { isObject } from "./pointer";
 import { Preset } from "./preset";
-import type { Field } from "./schema";
+import type { Field, PresetSchema } from "./schema";
 import type { Store } from "./store";
 
 /** The properties of all kinds that say what their surface is. */
@@ -41,16 +41,44 @@ export async function materialsOf(files: string[]): Promise<Material[]> {
   });
 }
 
+/** Folders whose presets are no organisms to take over. */
+const NOT_THESE = /^(asking|grammars|models)\//;
+let shipped: Promise<Material[]> | null = null;
+
+/** Those of all presets that are shipped, read once. */
+export const shippedMaterials = (presets: api.Listed[]): Promise<Material[]> => (shipped ??= materialsOf(presets.filter((p) => !NOT_THESE.test(p.name)).map(({ file }) => file)));
+
 /** A preset with nothing but one organism of that material, for its picture. */
 export const exampleOf = ({ file, kind, values }: Material): api.Doc => ({ file, text: JSON.stringify({ film: { frames: 1 }, scene: { setting: "studio" }, organisms: [{ kind, ...values }] }) });
 
+/** What of a material an organism of that kind can have, name by name. */
+export function fitsOf(schema: PresetSchema, { kind, values }: Material, other: string): (readonly [string, unknown])[] {
+  const [given, fields] = [schema.kind(kind).fields, schema.kind(other).fields];
+  return Object.entries(values).map(([name, value]) => [name, fitting(value, given.get(name), fields.get(name))] as const).filter(([, value]) => value !== undefined);
+}
+
+/** Of each material that a kind can have, its leaves or all else that the surface is, each once. */
+export function partsFor(schema: PresetSchema, all: Material[], kind: string, what: "leaves" | "surface"): Material[] {
+  const seen = new Set<string>();
+  return all.map((one) => ({ ...one, values: Object.fromEntries(Object.entries(one.values).filter(([name]) => (name === "leaves") === (what === "leaves"))) }))
+    .filter((one) => {
+      // Leaves of other kinds have other properties.
+      const key = JSON.stringify(one.values);
+      const fits = fitsOf(schema, one, kind).length > 0 && (what === "surface" || namesIn(schema, one.kind) === namesIn(schema, kind));
+      return fits && !seen.has(key) && seen.add(key) !== undefined;
+    });
+}
+
+const namesIn = (schema: PresetSchema, kind: string): string => {
+  const leaves = schema.kind(kind).fields.get("leaves");
+  return leaves?.type === "object" ? [...leaves.fields.keys()].join() : "";
+};
+
 /** Gives organisms what of a material their kinds can have, as one step; answers how many took something. */
-export function applyMaterial(store: Store, { kind, values }: Material, entries: number[]): number {
+export function applyMaterial(store: Store, material: Material, entries: number[]): number {
   let took = 0;
-  const given = store.schema.kind(kind).fields;
   store.batch((text) => entries.reduce((out, entry) => {
-    const { fields } = store.schema.kind(store.preset.kindOf(entry));
-    const fits = Object.entries(values).map(([name, value]) => [name, fitting(value, given.get(name), fields.get(name))] as const).filter(([, value]) => value !== undefined);
+    const fits = fitsOf(store.schema, material, store.preset.kindOf(entry));
     if (fits.length) ++took;
     return fits.reduce((inner, [name, value]) => setAt(store.writtenOut(inner, ["organisms", entry, name]), ["organisms", entry, name], value), out);
   }, text));

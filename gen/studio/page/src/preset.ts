@@ -45,6 +45,9 @@ export type Scope = "own" | "species" | "all" | "unset";
 /** What an organism has of its own, however it may be told by a species: how many stand where. */
 const NEVER_OF_SPECIES = { own: ["count", "group", "sown", "species"], place: ["at", "on", "center", "inner", "radius"] };
 
+/** Kinds that others stand on or beside. */
+export const LIFELESS = new Set(["rock", "pebbles", "wall", "column", "mesh", "bridge", "vase", "trellis"]);
+
 /** What the preset of a species says of those that name it: all of its first organism but where that stands. */
 export function speciesIn(preset: Preset): Json | null {
   if (!preset.organisms.length) return null;
@@ -121,6 +124,21 @@ export class Preset {
   groupOf(entry: number): string {
     const name = this.organisms[entry]?.group;
     return typeof name === "string" ? name : "";
+  }
+
+  /** The organism that a picture is of: what its camera is set to; what its title names; else the first that lives. */
+  get subject(): number {
+    const all = [...this.organisms.keys()];
+    const camera = getAt(this.whole, ["scene", "camera"]);
+    const named = (name: unknown): number => all.findIndex((i) => typeof name === "string" && this.nameOf(i) === name);
+    const fit = getAt(camera, ["fit"]);
+    const meant = [getAt(camera, ["focus"]), ...(Array.isArray(fit) ? fit : [fit])].map(named).find((i) => i >= 0);
+    if (meant !== undefined) return meant;
+    const words = new Set(this.title.toLowerCase().split(/[^\p{L}\d]+/u).flatMap((word) => [word, word.replace(/s$/, "")]));
+    const titled = (i: number): boolean => [this.nameOf(i), this.kindOf(i)].some((name) => words.has(name.toLowerCase().replace(/s$/, "")));
+    const lives = (i: number): boolean => !LIFELESS.has(this.kindOf(i));
+    const found = [(i: number) => titled(i) && lives(i), titled, lives].map((is) => all.find(is)).find((i) => i !== undefined);
+    return found ?? 0;
   }
 
   inGroup(name: string): number[] {

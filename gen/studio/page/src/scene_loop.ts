@@ -13,6 +13,8 @@ import type { View } from "./view/view";
 
 /** What takes longer than so many seconds is asked first. */
 const PATIENCE = 8;
+/** The same for what is more nodes than that, which are sent and drawn after they have grown. */
+const MOST_NODES = 1.5e6;
 /** An organism that takes longer than so many seconds grows roughly while it is changed: in about so many, or in this share of its time where that is more. */
 const QUICK = 0.2;
 const LEAST_SHARE = 1 / 32;
@@ -30,6 +32,7 @@ export class SceneLoop {
   private running = false;
   private wanted = false;
   private patience = PATIENCE;
+  private most = MOST_NODES;
   private waiting: (() => void)[] = [];
   /** The question() of the last request. */
   private asked = "";
@@ -47,6 +50,7 @@ export class SceneLoop {
     store.on("opened", () => {
       this.leave();
       this.patience = PATIENCE;
+      this.most = MOST_NODES;
       this.session = crypto.randomUUID();
       this.grown = null;
       this.took.clear();
@@ -74,6 +78,7 @@ export class SceneLoop {
   /** The person agreed to wait: so long from now on. */
   agree(): void {
     this.patience = Math.max(this.patience, 1.5 * (this.store.scene.estimate?.seconds ?? 0));
+    this.most = Math.max(this.most, 1.5 * (this.store.scene.estimate?.nodes ?? 0));
     this.store.setScene({ estimate: null, stopped: false });
     this.want();
   }
@@ -175,6 +180,7 @@ export class SceneLoop {
       solo: store.solo.size ? [...store.solo] : null,
       hide: [...store.hidden],
       ask: this.patience,
+      most: this.most,
     };
   }
 

@@ -169,15 +169,25 @@ export class PresetSchema {
     return found;
   }
 
+  /** What is said of a kind alone. */
+  private ruleOf(name: string): { properties: Schema; leading?: string[] } | undefined {
+    const rules = (this.organism.allOf ?? []) as { if: Schema; then: { properties: Schema; leading?: string[] } }[];
+    return rules.find((r) => ((r.if.properties as Record<string, Schema>).kind as Schema).const === name)?.then;
+  }
+
+  /** The properties that shape a kind most, as paths, the most telling first. */
+  leading(name: string): Path[] {
+    return (this.ruleOf(name)?.leading ?? []).map((path) => path.split("/"));
+  }
+
   /** All properties that organisms of a kind have. */
   kind(name: string): ObjectField {
     let found = this.kindFields.get(name);
     if (found) return found;
     const common = this.organism.properties as Schema;
-    const rules = (this.organism.allOf ?? []) as { if: Schema; then: { properties: Schema } }[];
-    const rule = rules.find((r) => ((r.if.properties as Record<string, Schema>).kind as Schema).const === name);
+    const rule = this.ruleOf(name);
     const properties = Object.fromEntries(
-      Object.entries(rule?.then.properties ?? common).map(([key, inner]) => [key, inner === true ? common[key] : inner]),
+      Object.entries(rule?.properties ?? common).map(([key, inner]) => [key, inner === true ? common[key] : inner]),
     );
     found = { type: "object", doc: "", unit: "", fields: membersOf({ properties }) };
     this.kindFields.set(name, found);

@@ -18,6 +18,7 @@ export interface Shortcuts {
   top(): void;
   home(): void;
   tool(name: ToolName): void;
+  help(): void;
 }
 
 const isText = (target: EventTarget | null): boolean =>
@@ -47,6 +48,7 @@ function plain(event: KeyboardEvent, acts: Shortcuts): (() => void) | undefined 
   if (event.key === " " && !isButton) return acts.play;
   if (event.key === "c") return acts.camera;
   if (event.key === "/") return acts.search;
+  if (event.key === "?") return acts.help;
   const tool = TOOLS[event.key];
   if (tool) return () => acts.tool(tool);
   const look = ({ f: acts.frame, "1": acts.front, "3": acts.side, "7": acts.top } as Record<string, (() => void) | undefined>)[event.key];

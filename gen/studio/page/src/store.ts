@@ -27,6 +27,8 @@ export class Store {
   schema!: PresetSchema;
   symbols: Start["symbols"] = [];
   presets: Listed[] = [];
+  /** The properties of which there are pictures, as "tree-habit-droop". */
+  strips = new Set<string>();
   /** Whether films can be handed to Slurm. */
   farm = false;
   /** Where presets are written: that of the preset the studio was opened with, else where it was started. */
@@ -76,6 +78,7 @@ export class Store {
     this.schema = new PresetSchema(start.schema);
     this.symbols = start.symbols;
     this.presets = start.presets;
+    this.strips = new Set(start.strips);
     this.farm = start.machine.farm;
     this.folder = start.preset ? start.preset.file.replace(/[^/]*$/, "") : "";
   }
@@ -109,7 +112,7 @@ export class Store {
     this.redoTexts = [];
     this.show(loaded.text);
     this.time = this.preset.end;
-    this.selected = this.preset.organisms.length ? 0 : "scene";
+    this.selected = this.preset.organisms.length ? this.preset.subject : "scene";
     this.announceOpened();
   }
 

@@ -11,14 +11,23 @@ import { insertAt, removeAt, setAt } from "../src/edits";
 import { handleAt, keyLists, keysOf, valueAtTime, wayOf, withKey } from "../src/keyframes";
 import { balanced, boundsOf, colorAt, flooded, largestPiece, upright, type Pixels } from "../src/photographs/pixels";
 import { getAt, isObject, type Path } from "../src/pointer";
+import { inOrderOf } from "../src/panels/add_organism";
 import { beside, Preset, speciesIn } from "../src/preset";
 import { fieldOf, PresetSchema, type NumberField } from "../src/schema";
 import { relativeTo, withSpecies } from "../src/species";
 import { sizeFor } from "../src/film_size";
+import { lostEdits } from "../src/lost_edits";
+import { suggested } from "../src/panels/saving";
+import { partsFor } from "../src/materials";
+import { Stand } from "../src/view/copies";
+import type { Studio } from "../src/view/drawn";
+import type { CopiesPart } from "../src/view/header";
+import type { Packet } from "../src/view/packet";
 import { frameNear, timesOver } from "../src/panels/storyboard";
 import { viewsOf } from "../src/panels/views";
 import type { Header, Part } from "../src/view/header";
 import { merged } from "../src/view/merge";
+import { LONGEST, Pace } from "../src/view/pace";
 import { enlarged, everyOf, firstOf, LARGEST } from "../src/view/thinning";
 
 const TEXT = `{
@@ -144,9 +153,10 @@ test("a key says how the way to the next one goes", () => {
   assert.equal(keyLists({ angle: [[0, 1, "in"], [2, 3]], ends: [[0, 1, 2], [3, 4, 5]] }).length, 1);
 });
 
+const SCHEMA = JSON.parse(readFileSync(new URL("../../../../docs/preset.schema.json", `file://${process.cwd()}/test/`), "utf8")) as Record<string, unknown>;
+
 test("the schema of presets is read whole", () => {
-  const path = new URL("../../../../docs/preset.schema.json", `file://${process.cwd()}/test/`);
-  const schema = new PresetSchema(JSON.parse(readFileSync(path, "utf8")) as Record<string, unknown>);
+  const schema = new PresetSchema(SCHEMA);
   assert.ok(schema.kinds.length > 10 && schema.kinds.every((k) => k.doc));
   for (const { value } of schema.kinds) assert.ok(schema.kind(value).fields.size > 8, value);
   const skin = schema.at(["organisms", 0, "skin", "tint", "base"], ["coral"]);
@@ -156,12 +166,54 @@ test("the schema of presets is read whole", () => {
   assert.equal(schema.at(["defaults", "season"], ["tree"])?.type, "object");
 });
 
+test("the subject is what the camera is set to, what the title names, or the first that lives", () => {
+  const subject = (text: object): number => new Preset(JSON.stringify(text)).subject;
+  const bonsai = [{ kind: "vase", name: "plinth" }, { kind: "vase", name: "pot" }, { kind: "tree", name: "pine" }];
+  assert.equal(subject({ title: "A bonsai", organisms: bonsai }), 2);
+  assert.equal(subject({ title: "A pot", organisms: bonsai }), 1);
+  assert.equal(subject({ title: "The plinth", scene: { camera: { focus: "pot" } }, organisms: bonsai }), 1);
+  assert.equal(subject({ title: "Two", organisms: [{ kind: "bridge" }, { kind: "plant", name: "bush" }] }), 1);
+  assert.equal(subject({ organisms: [{ kind: "rock" }] }), 0);
+});
+
+test("kinds to add come in the order of the setting", () => {
+  const kinds = ["coral", "rock", "tree"].map((value) => ({ value }));
+  const order = (setting: string): string => inOrderOf(setting, kinds).map(({ value }) => value).join();
+  assert.equal(order("underwater"), "coral,rock,tree");
+  assert.equal(order("garden"), "tree,rock,coral");
+});
+
+test("a kind names what shapes it most, and all of it exists", () => {
+  const schema = new PresetSchema(SCHEMA);
+  const missing = schema.kinds.flatMap(({ value }) => schema.leading(value)
+    .filter((path) => !schema.at(["organisms", 0, ...path], [value])).map((path) => `${value}: ${path.join("/")}`));
+  assert.deepEqual(missing, []);
+});
+
+test("a stand of which nothing is seen from afar makes no errors", (t) => {
+  const errors = t.mock.method(console, "error", () => undefined);
+  const packet = { header: {} as Header, base: 0, bytes: new Float32Array(10).buffer } as unknown as Packet;
+  const part = { kind: "copies", id: "a", entry: 0, specimen: -1, model: 0, levels: [{ grain: 0, parts: [] }, { grain: 1, parts: [] }], instances: { at: 0, n: 10, t: "f32" } } as CopiesPart;
+  assert.equal(new Stand(packet, part, { shared: {}, pictures: {} } as unknown as Studio).drawn().length, 0);
+  assert.equal(errors.mock.callCount(), 0);
+});
+
+test("leaves are swapped for those of the same kind, surfaces for any that fit", () => {
+  const schema = new PresetSchema(SCHEMA);
+  const oak = { file: "oak.json", name: "oak", kind: "tree", values: { bark: { kind: "bark" }, leaves: { size: 0.1 } } };
+  const ivy = { file: "ivy.json", name: "ivy", kind: "ivy", values: { bark: { kind: "bark" }, leaves: { size: 0.05 } } };
+  assert.deepEqual(partsFor(schema, [oak, ivy], "tree", "leaves").map(({ values }) => values), [{ leaves: { size: 0.1 } }]);
+  assert.deepEqual(partsFor(schema, [oak, ivy], "tree", "surface").map(({ values }) => values), [{ bark: { kind: "bark" } }], "alike ones once");
+  assert.deepEqual(partsFor(schema, [oak], "rock", "surface"), []);
+});
+
 test("few things are neither thinned nor enlarged, and many do not balloon", () => {
   for (const count of [1, 2, 50, 399, 799]) {
     assert.equal(everyOf(count, 0.02), 1);
     assert.equal(enlarged(everyOf(count, 0.02)), 1);
   }
   assert.equal(firstOf(30, 0.02), 30);
+  assert.equal(firstOf(3900, 0.02), 3900, "a plant of few pieces is never cut");
   assert.equal(everyOf(1e6, 1), 1);
   assert.equal(everyOf(1e6, 0.02), 50);
   assert.ok(1e5 / everyOf(1e5, 1e-9) >= 400);
@@ -335,4 +387,31 @@ test("what is said to be grey is grey after it", () => {
   const data = balanced(picture.data, grey);
   const at = 4 * (20 * 24 + 20);
   assert.ok(Math.abs(data[at]! - data[at + 2]!) <= 1 && data[at]! > 120 && data[at]! < 140 && data[at + 3] === 255);
+});
+
+test("a new preset is saved as itself, one that is shipped as a copy", () => {
+  assert.equal(suggested({ copy: true, disk: null, file: "/mine/untitled.json" }), "/mine/untitled.json");
+  assert.equal(suggested({ copy: true, disk: "1f", file: "/frond/presets/reef.json" }), "reef_copy.json");
+  assert.equal(suggested({ copy: false, disk: "1f", file: "/mine/reef.json" }), "/mine/reef.json");
+});
+
+test("edits that find no branch are told apart from those that do", () => {
+  const preset = new Preset('{"organisms": [{"kind": "rock"}, {"kind": "tree", "edits": [{"at": "3", "cut": true}, {"at": "9:0.8", "bend": [0, 1, 0]}, {"at": "40", "cut": 7}]}]}');
+  const notes = ["a.json:1:2: /organisms/1/edits/2/at: finds no branch: the stem has 14 branches", "a.json:1:2: /organisms/1/edits/1/at: finds no branch: the stem has 3 branches", "no water here"];
+  assert.deepEqual(lostEdits({ preset }, notes).map(({ entry, index, what }) => [entry, index, what]), [[1, 2, "40, cut in year 7"], [1, 1, "9:0.8, bent"]]);
+});
+
+test("pictures at rest grow finer, and none takes much longer than one may wait", () => {
+  // Machines of several speeds, triangles a ms, and scenes of several sizes.
+  for (const speed of [5, 100, 5000]) {
+    for (const scene of [1e4, 3e5, 1e8]) {
+      const pace = new Pace(2e4, 1.5e6);
+      const took: number[] = [];
+      do took.push(Math.min(scene, pace.triangles) / speed);
+      while (pace.finer(took.at(-1)!, Math.min(scene, pace.triangles), scene <= pace.triangles));
+      for (const ms of took.slice(1)) assert.ok(ms <= LONGEST, `${speed} ${scene}: ${took.join()}`);
+      assert.ok(pace.triangles >= 2e4 && (pace.triangles / speed <= LONGEST || pace.triangles === 2e4));
+      if (scene / speed < LONGEST / 4) assert.ok(pace.triangles >= Math.min(scene, 1.5e6), "there was time for all");
+    }
+  }
 });

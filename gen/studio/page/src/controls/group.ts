@@ -1,6 +1,7 @@
 /** Groups of properties that fold. What is in one is built when it is first opened. */
 
 import { el, icon } from "../dom";
+import { countsBesideFile } from "../grammar_file";
 import { isWithin, toPointer, type Path } from "../pointer";
 import { spelled, type Field, type ObjectField } from "../schema";
 import type { Store } from "../store";
@@ -53,10 +54,15 @@ export class Section {
     const key = binding.rel.join("/");
     if (field.type === "object") {
       const found = this.search && spelled(name).includes(this.search) ? this.unsearched() : this;
-      return found.inner(key, spelled(name), field.doc, binding, fieldsOf(field, binding));
+      return found.inner(key, spelled(name), field.doc, binding, this.counting(fieldsOf(field, binding)));
     }
     const lines = [{ name, field, binding }];
     return this.fold(key, spelled(name), field.doc, binding, () => lines.map((m) => row(m.name, m.field, m.binding, this)));
+  }
+
+  /** Those that do something, and those that are set, so that they can be taken out. */
+  private counting(list: Member[]): Member[] {
+    return list.filter(({ binding }) => binding.entry === null || binding.get() !== undefined || countsBesideFile(this.store, binding.entry, binding.rel));
   }
 
   private unsearched(): Section {

@@ -6,7 +6,13 @@ export interface MenuItem {
   label: string;
   act: () => void;
   disabled?: boolean;
+  /** One of several, of which one counts; or, with `toggles`, something that is on or off. */
   checked?: boolean;
+  toggles?: boolean;
+  /** The key that does the same. */
+  key?: string;
+  testid?: string;
+  tip?: string;
 }
 
 let open: { menu: HTMLElement; from: HTMLElement } | null = null;
@@ -24,12 +30,14 @@ export function openMenu(from: HTMLElement, items: MenuItem[]): void {
   const again = open?.from === from;
   closeMenu(false);
   if (again) return;
-  const buttons = items.map(({ label, act, disabled, checked }) =>
+  const buttons = items.map(({ label, act, disabled, checked, toggles, key, testid, tip }) =>
     el<HTMLButtonElement>(
       "button",
       {
         type: "button",
-        role: checked === undefined ? "menuitem" : "menuitemradio",
+        role: checked === undefined ? "menuitem" : toggles ? "menuitemcheckbox" : "menuitemradio",
+        "data-testid": testid,
+        "data-tip": tip,
         "aria-checked": checked === undefined ? null : String(checked),
         disabled,
         click: () => {
@@ -38,6 +46,7 @@ export function openMenu(from: HTMLElement, items: MenuItem[]): void {
         },
       },
       label,
+      key && el("kbd", { "aria-hidden": "true" }, key),
     ),
   );
   const menu = el("div.menu", { role: "menu", "aria-label": from.textContent || from.getAttribute("aria-label") }, ...buttons);

@@ -12,7 +12,8 @@ import { openMenu, type MenuItem } from "./menu";
 /** What the page does with a slider's range: the wall of variations is told of it. */
 export type Vary = (binding: Binding, field: Field) => void;
 
-export function row(name: string, field: Field, binding: Binding, section: Section): Control {
+/** `place`: what stands before its path where tests look for it; of one that is shown twice, another. */
+export function row(name: string, field: Field, binding: Binding, section: Section, place = "row"): Control {
   const control = controlFor({ field, binding, label: spelled(name) }, section);
   const isProperty = binding.entry !== null && binding.property === binding.rel && name !== "name";
   const dot = el("button.dot", { type: "button", tabIndex: -1, "aria-label": `${spelled(name)}: back to the default`, click: () => binding.reset() });
@@ -21,7 +22,7 @@ export function row(name: string, field: Field, binding: Binding, section: Secti
   const fault = el("p.fault");
   const element = el(
     "div.row",
-    { "data-testid": `row:${binding.entry === null ? "" : "organism/"}${binding.rel.join("/")}` },
+    { "data-testid": `${place}:${binding.entry === null ? "" : "organism/"}${binding.rel.join("/")}` },
     dot,
     label,
     el("div.control", {}, control.element),

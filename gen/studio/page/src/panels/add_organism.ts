@@ -1,9 +1,11 @@
 /** Adding an organism: of a kind, from another preset, or an OBJ file. */
 
 import * as api from "../api";
-import { el } from "../dom";
+import { el, icon } from "../dom";
 import { sliceAt } from "../edits";
-import { Preset } from "../preset";
+import { Looks } from "../looks";
+import { getAt } from "../pointer";
+import { LIFELESS, Preset } from "../preset";
 import { spelled } from "../schema";
 import type { Store } from "../store";
 import { parse } from "jsonc-parser";
@@ -16,11 +18,38 @@ const STARTS: Record<string, object> = {
   colonized: { envelope: {} },
 };
 
+/** A preset whose picture shows a kind. A kind without one has a sign in its place. */
+const EXAMPLES: Record<string, string> = {
+  coral: "staghorn", massive: "species/corals/brain", columnar: "species/corals/pillar", foliose: "species/corals/lettuce_coral", table: "species/corals/table_coral",
+  encrusting: "species/corals/encrusting_coral", tube: "species/corals/tube_sponge", mushroom: "species/corals/mushroom_coral", fan: "fan", shell: "shells", school: "reef/fishes",
+  plant: "garden/bush", tree: "trees/oak", weber_penn: "aspen", colonized: "heart_tree", ivy: "ivy/brick_wall", rock: "garden/rocks", wall: "garden/walled", column: "ivy/column",
+  mesh: "ivy/any_mesh", bridge: "garden/bridge", vase: "garden/vases", trellis: "garden/espalier",
+};
+const OF_THE_SEA = new Set(["coral", "massive", "columnar", "foliose", "table", "encrusting", "tube", "mushroom", "fan", "shell", "school"]);
+
+/** What lives in the setting first, then what stands in any, then what lives elsewhere. */
+export function inOrderOf<T extends { value: string }>(setting: string, kinds: T[]): T[] {
+  const rank = ({ value }: T): number => (LIFELESS.has(value) ? 1 : OF_THE_SEA.has(value) === (setting === "underwater") ? 0 : 2);
+  return [...kinds].sort((a, b) => rank(a) - rank(b));
+}
+
 export async function addOrganism(store: Store): Promise<void> {
   let file: File | null = null;
+  const looks = new Looks();
+  const setting = String(getAt(store.preset.whole, ["scene", "setting"]) ?? "");
+  const pictureOf = (kind: string): HTMLElement => {
+    const listed = store.presets.find(({ name }) => name === EXAMPLES[kind]);
+    const blank = (): HTMLElement => el("span.blank", { "aria-hidden": "true" }, icon("gallery"));
+    if (!listed) return blank();
+    const picture = el<HTMLImageElement>("img", { alt: "", loading: "lazy" });
+    picture.addEventListener("error", () => picture.replaceWith(blank()));
+    if (listed.picture) picture.src = api.galleryPicture(listed.picture);
+    else looks.want(picture, (signal) => api.look(listed.file, signal));
+    return picture;
+  };
   const chosen = await dialog("Add an organism", (close) => {
-    const kinds = store.schema.kinds.map(({ value, doc }, i) =>
-      el("li", {}, el("button.choice", { type: "button", autofocus: i === 0, "data-testid": `add:${value}`, click: () => close(`kind ${value}`) }, el("strong", {}, spelled(value)), el("span", {}, doc))),
+    const kinds = inOrderOf(setting, store.schema.kinds).map(({ value, doc }, i) =>
+      el("li", {}, el("button.choice", { type: "button", autofocus: i === 0, "data-testid": `add:${value}`, click: () => close(`kind ${value}`) }, pictureOf(value), el("strong", {}, spelled(value)), el("span", {}, doc))),
     );
     const input = el<HTMLInputElement>("input", { type: "file", accept: ".obj", "aria-label": "OBJ file", change: () => {
       file = input.files?.[0] ?? null;
@@ -36,6 +65,7 @@ export async function addOrganism(store: Store): Promise<void> {
       el("div.answers", {}, el("button", { type: "button", click: () => close(null) }, "Cancel")),
     ];
   }, "add");
+  looks.stop();
   if (!chosen) return;
   if (chosen === "file" && file) return addMesh(store, file);
   const [what, ...rest] = chosen.split(" ");
@@ -43,7 +73,8 @@ export async function addOrganism(store: Store): Promise<void> {
   else store.addOrganism(parse(rest.join(" ")));
 }
 
-function ofKind(store: Store, kind: string): object {
+/** One of a kind that is something to look at. */
+export function ofKind(store: Store, kind: string): object {
   return { kind, name: store.freeName(spelled(kind)), ...(kind === "ivy" ? {} : { place: { at: [[0, 0]] } }), ...STARTS[kind] };
 }
 
@@ -80,7 +111,7 @@ async function addMesh(store: Store, file: File, at: [number, number] = [0, 0]):
   if (!/\.obj$/i.test(file.name)) return say(`${file.name} is no OBJ file.`, true);
   if (file.size > 32e6) return say(`${file.name} is larger than 32 MB.`, true);
   try {
-    const answer = await api.mesh(file.name, file);
+    const answer = await api.mesh(file.name, file, store.file);
     store.addOrganism({ kind: "mesh", name: file.name.replace(/\.obj$/i, ""), file: answer.file, place: { at: [at], size_variation: 0, turn_variation: 0, lean: 0 } });
     say(`${file.name} stands in the scene. Ivy climbs it.`);
   } catch (error) {

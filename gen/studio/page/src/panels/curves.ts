@@ -7,6 +7,7 @@ import { spelled, type NumberField } from "../schema";
 import { rounded } from "../controls/scale";
 import { shown } from "../controls/number";
 import type { Store } from "../store";
+import { docLink, nextStep } from "./help";
 import { listsOf, removeKeys, setEase, timeFor, withPart, type KeyList, type KeyPlace } from "./key_edits";
 
 const MARGIN = { left: 46, right: 14, top: 12, bottom: 20 };
@@ -28,13 +29,14 @@ function svg(name: string, attributes: Record<string, string | number>, text = "
 
 export function curvesPanel(store: Store): { element: HTMLElement; opened(): void; closed(): void } {
   const which = el<HTMLSelectElement>("select", { "aria-label": "Value", "data-testid": "curve-of", change: () => choose(which.value) });
+  const none = el("div", { hidden: true });
   const told = el("p.hint", { role: "status", "data-testid": "curve-told" });
   const eases = ([null, ...EASES] as (Ease | null)[]).map((ease) =>
     el<HTMLButtonElement>("button", { type: "button", "data-testid": `curve-ease:${ease ?? "smooth"}`, "data-tip": ease ? TIPS[ease] : "As fast as at the keys beside it", click: () => ease !== undefined && put(ease) }, ease ?? "smooth"));
   const way = el("span.segments", { role: "group", "aria-label": "The way to the next key" }, ...eases);
   const add = el("button.small", { type: "button", "data-testid": "curve-add", click: () => insert(store.time) }, "Key at the time shown");
   const plot = svg("svg", { class: "plot", role: "group", "aria-label": "Keys over time", "data-testid": "curve-plot" });
-  const element = el("div.curves", {}, el("div.curve-side", {}, which, told, el("label", {}, "To the next key"), way, add), plot as unknown as HTMLElement);
+  const element = el("div.curves", {}, none, el("div.curve-side", {}, which, told, el("label", {}, "To the next key"), way, add), plot as unknown as HTMLElement);
   let open = false;
   let of = "";
   let chosen = 0;
@@ -195,6 +197,15 @@ export function curvesPanel(store: Store): { element: HTMLElement; opened(): voi
     if (!all.some(({ path }) => toPointer(path) === of)) of = all[0] ? toPointer(all[0].path) : "";
     which.replaceChildren(...all.map(({ path }) => el("option", { value: toPointer(path), selected: toPointer(path) === of }, labelOf(store, path))));
     which.hidden = add.hidden = way.hidden = !all.length;
+    const still = store.preset.end === 0;
+    none.hidden = all.length > 0;
+    element.classList.toggle("none", !all.length);
+    if (!all.length)
+      none.replaceChildren(nextStep(
+        still ? "Curves draw how values change over a film. This preset is a still: give it some frames first." : "Curves draw how values change over the film. The diamond beside a value gives it keys; the camera is a good one to begin with.",
+        docLink("tutorial.md", "An hour by hand"),
+        still ? ["Make it a film of 3 seconds", () => store.set(["film", "frames"], 1 + Math.round(3 * store.preset.fps))] : ["Show what can move in the scene", () => store.select("scene")],
+      ));
     const at = list();
     const focused = (document.activeElement as HTMLElement | null)?.dataset.testid ?? "";
     plot.replaceChildren();

@@ -14,12 +14,22 @@ export function dialog(title: string, fill: (close: (answer: string | null) => v
     const before = document.activeElement as HTMLElement | null;
     const name = `dialog-${testid}`;
     const box = el<HTMLDialogElement>("dialog", { "aria-labelledby": name, "data-testid": testid });
+    // While Enter is down it would press what gets the focus next.
+    let entering = false;
     const close = (answer: string | null): void => {
-      box.close();
+      const back = (): void => void (before?.isConnected && before.focus());
+      // Closing would give the focus back at once, which taking it out does not.
+      if (entering) addEventListener("keyup", back, { once: true });
+      else box.close();
       box.remove();
       resolve(answer);
-      if (before?.isConnected) before.focus();
+      if (!entering) back();
     };
+    box.addEventListener("keydown", (event) => {
+      entering = event.key === "Enter";
+      if (entering && event.repeat) event.preventDefault();
+    }, { capture: true });
+    box.addEventListener("keyup", () => (entering = false));
     box.append(el("h2", { id: name }, title), ...(fill(close).filter(Boolean) as Node[]));
     box.addEventListener("cancel", (event) => {
       event.preventDefault();

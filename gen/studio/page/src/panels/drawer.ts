@@ -20,7 +20,8 @@ export interface Drawer {
 
 const KEY = "frond.drawer";
 
-export function drawer(tabs: Tab[]): Drawer {
+/** `opening` is called before a tab shows itself. */
+export function drawer(tabs: Tab[], opening: () => void = () => undefined): Drawer {
   let current: string | null = null;
   let height = Number(localStorage.getItem(KEY)) || 260;
   const buttons = tabs.map((tab) =>
@@ -52,6 +53,7 @@ export function drawer(tabs: Tab[]): Drawer {
   const left = (): void => tabs.find((t) => t.name === current)?.closed?.();
   const open = (name: string): void => {
     if (name !== current) left();
+    if (!current) opening();
     current = name;
     height = Math.max(120, Math.min(height, innerHeight - 260));
     show();

@@ -11,7 +11,7 @@ import { say } from "./dialogs";
 const groupOf = (listed: Listed): string => listed.name.split("/").slice(0, -1).join("/");
 const TITLES: Record<string, string> = { "": "Scenes and single ones", lsystems: "L-systems", trees: "Trees", forest: "Forest", garden: "Garden", ivy: "Ivy", grammars: "Grammars" };
 
-export function gallery(store: Store): { element: HTMLElement; show(): void } {
+export function gallery(store: Store): { element: HTMLElement; show(): void; focus(): void } {
   const search = el<HTMLInputElement>("input.text", { type: "search", placeholder: "Search presets", "aria-label": "Search presets", "data-testid": "gallery-search" });
   const body = el("div.shelves");
   let own: Listed[] = [];
@@ -22,7 +22,7 @@ export function gallery(store: Store): { element: HTMLElement; show(): void } {
     el("div.gallery-head", {}, el("div", {}, el("h1", {}, "Begin with a preset"), el("p.hint", {}, "What is shipped opens as a copy to play with and stays as it is; your own files open as they are.")), el("span.search", {}, icon("search"), search), empty), body);
 
   const begin = (): void =>
-    store.open({ file: store.folder + "untitled.json", disk: null, copy: true, text: '{\n  "title": "Untitled",\n  "seed": 1,\n  "film": {"frames": 1},\n  "scene": {"setting": "studio"},\n  "organisms": []\n}\n' });
+    store.open({ file: store.folder + "untitled.json", disk: null, copy: true, text: '{\n  "version": 2,\n  "title": "Untitled",\n  "seed": 1,\n  "film": {"frames": 1},\n  "scene": {"setting": "studio"},\n  "organisms": []\n}\n' });
 
   /** What is one's own is opened as it is, what is shipped as a copy. */
   async function open(file: string, isOwn: boolean): Promise<void> {
@@ -42,7 +42,7 @@ export function gallery(store: Store): { element: HTMLElement; show(): void } {
   };
   const card = (listed: Listed, isOwn = false): HTMLElement => {
     const picture = pictureOf(listed);
-    return el("li", {}, el("button.card", { type: "button", "data-testid": `${isOwn ? "own" : "card"}:${listed.name}`, click: () => void open(listed.file, isOwn) }, picture, el("span", {}, listed.title || listed.name), el("small", {}, listed.name)));
+    return el("li", {}, el("button.card", { type: "button", "data-testid": `${isOwn ? "own" : "card"}:${listed.name}`, "data-file": listed.file, click: () => void open(listed.file, isOwn) }, picture, el("span", {}, listed.title || listed.name), el("small", {}, listed.name)));
   };
   const render = (): void => {
     looks.stop();
@@ -65,5 +65,7 @@ export function gallery(store: Store): { element: HTMLElement; show(): void } {
     }, () => undefined);
   };
   search.addEventListener("input", render);
-  return { element, show };
+  /** The card that was opened last, else the first thing there is to do. */
+  const focus = (): void => (body.querySelector<HTMLElement>(`[data-file="${CSS.escape(store.file)}"]`) ?? search).focus();
+  return { element, show, focus };
 }

@@ -3,8 +3,12 @@
 import * as api from "../api";
 import { codeArea, type CodeArea } from "../controls/code_area";
 import { el, grouped, quiet } from "../dom";
+import { grammarFileOf, isModel } from "../grammar_file";
 import { getAt, isObject, toPointer, type Path } from "../pointer";
 import type { Store } from "../store";
+import { ofKind } from "./add_organism";
+import { grammarFiles } from "./grammar_files";
+import { docLink, nextStep } from "./help";
 
 const LISTS = [
   ["rules", "Productions", "One a line: left < predecessor > right : condition ->(weight) successor"],
@@ -27,6 +31,8 @@ export function grammarPanel(store: Store): { element: HTMLElement; opened(): vo
     return scope === "all" ? ["defaults", "grammar", ...rest] : ["organisms", entry, "grammar", ...rest];
   };
   const grammar = (): unknown => (typeof store.selected === "number" ? store.preset.organism(store.selected).grammar : undefined);
+  const file = (): string | null => (typeof store.selected === "number" ? grammarFileOf(store, store.selected) : null);
+  const files = grammarFiles(store);
   let faults: api.Fault[] = [];
   let open = false;
 
@@ -66,11 +72,20 @@ export function grammarPanel(store: Store): { element: HTMLElement; opened(): vo
   const tree = el<HTMLImageElement>("img", { alt: "The derivation tree", hidden: true, "data-testid": "derivation-tree" });
   const pictures = el("div.pictures", {}, el("figure", {}, drawing, el("figcaption", {}, "The turtle")), el("figure", {}, tree, el("figcaption", {}, "The derivation")));
   const symbols = el("dl.symbols");
+  const rules = [el("label.axiom", {}, el("span", {}, "Axiom"), axiom), axiomFault, ...lists.map((l) => l.host)];
   const editor = el("div.grammar-editor", {},
-    el("label.axiom", {}, el("span", {}, "Axiom"), axiom), axiomFault, ...lists.map((l) => l.host),
+    files.element, ...rules,
     el("details.rules", {}, el("summary", {}, "Symbols of the turtle"), symbols));
   const outcome = el("div.outcome", {}, el("div.steps", {}, el("span", {}, "Step"), steps, stepsShown), figures, word, pictures);
-  const none = el("p.hint", {}, "Select an organism that has a grammar: a plant, or a coral of form “own”.");
+  const none = el("div");
+  /** What a grammar is, and those that there are to look at. */
+  const tellNone = (): void => {
+    const grown = [...store.preset.organisms.keys()].filter((i) => getAt(store.preset.organism(i), ["grammar"]) !== undefined).slice(0, 3);
+    none.replaceChildren(nextStep("A grammar is a few rules by which a plant grows: each step rewrites every letter of a word, and a turtle draws what comes of it. Plants have one, and corals of form “own”.",
+      docLink("grammars.md", "Grammars"),
+      ...grown.map((i): [string, () => void] => [`Show that of ${store.preset.nameOf(i)}`, () => store.select(i)]),
+      ...(grown.length ? [] : [["Add a plant with a grammar", () => store.addOrganism(ofKind(store, "plant"))] as [string, () => void]])));
+  };
   const element = el("div.grammar-panel", { "data-testid": "grammar-panel" }, none, editor, outcome);
 
   const derive = quiet(150, () => void show());
@@ -78,8 +93,15 @@ export function grammarPanel(store: Store): { element: HTMLElement; opened(): vo
   async function show(): Promise<void> {
     const mine = ++asked;
     const entry = store.selected;
-    if (!open || typeof entry !== "number" || !isObject(grammar()) || store.preset.syntax.length) return;
+    if (!open || typeof entry !== "number" || store.preset.syntax.length) return;
+    const named = file();
+    if (!named && !isObject(grammar())) return;
     try {
+      if (named) {
+        const read = await files.show(named, pathTo("file"), ownSteps());
+        if (mine !== asked) return;
+        if (isModel(named)) return showModel(read);
+      }
       const answer = await api.derive(store.doc, entry, Number(steps.value) === Number(steps.max) ? null : Number(steps.value));
       if (mine !== asked) return;
       faults = Array.isArray(answer) ? answer : [];
@@ -89,6 +111,22 @@ export function grammarPanel(store: Store): { element: HTMLElement; opened(): vo
     } catch (error) {
       figures.textContent = (error as Error).message;
     }
+  }
+  /** How many steps are shown; null: as many as the model makes by itself. */
+  function ownSteps(): number | null {
+    const own = getAt(grammar(), ["steps"]);
+    if (steps.value !== steps.max) return Number(steps.value);
+    return typeof own === "number" ? own : null;
+  }
+  function showModel(read: api.GrammarFiles): void {
+    const own = getAt(grammar(), ["steps"]);
+    const most = String(typeof own === "number" ? own : read.of);
+    if (steps.max !== most) steps.max = steps.value = most;
+    stepsShown.textContent = `${steps.value} of ${most}`;
+    outcome.classList.toggle("stale", read.word === null);
+    if (read.word === null) return;
+    showOutcome({ word: read.word, length: read.length ?? 0, counts: read.counts, steps: read.steps, tree: null, svg: null, predicted: null });
+    if (read.notes.length) figures.textContent += ` ${read.notes.join(" ")}`;
   }
   function showOutcome(derived: api.Derived): void {
     const counts = Object.entries(derived.counts).sort((a, b) => b[1] - a[1]).slice(0, 8).map(([s, n]) => `${s} ${grouped(n)}`).join("  ");
@@ -119,8 +157,13 @@ export function grammarPanel(store: Store): { element: HTMLElement; opened(): vo
     const value = grammar();
     const has = typeof store.selected === "number" && store.schema.kind(store.preset.kindOf(store.selected)).fields.has("grammar");
     none.hidden = has;
+    if (!has && open) tellNone();
     editor.hidden = outcome.hidden = !has;
     if (!has || !open) return;
+    const named = file();
+    files.element.hidden = named === null;
+    for (const part of rules) part.hidden = named !== null;
+    if (named !== null && isModel(named)) return derive();
     if (document.activeElement !== axiom) axiom.value = String(getAt(value, ["axiom"]) ?? "");
     for (const { name, area, host } of lists) {
       const rules = getAt(value, [name]);

@@ -1,10 +1,12 @@
 /** The properties of what is selected. */
 
+import * as api from "../api";
 import { Binding } from "../controls/binding";
 import type { Control } from "../controls/control";
 import { fieldsOf, Section, type Member } from "../controls/group";
-import type { Vary } from "../controls/row";
+import { row, type Vary } from "../controls/row";
 import { el, icon, quiet } from "../dom";
+import { grammarFileOf } from "../grammar_file";
 import type { Path } from "../pointer";
 import type { Store } from "../store";
 import { spelled } from "../schema";
@@ -31,19 +33,20 @@ export function inspector(store: Store, acts: InspectorActs): HTMLElement {
     const kind = typeof selected === "number" ? store.preset.kindOf(selected) : selected;
     const section = new Section(store, kind, acts.vary, acts.showInText, search.value.trim().toLowerCase());
     const members = membersOf(store);
-    const species = typeof selected === "number" && !search.value ? [speciesControl(store, selected)] : [];
-    controls = [...species, ...section.members(members)];
+    const organism = typeof selected === "number" && !search.value;
+    controls = organism ? [speciesControl(store, selected), ...ofOrganism(store, section, kind, members)] : section.members(members);
     title.textContent = typeof selected === "number" ? headOf(store, selected) : HEADS[selected];
     hint.textContent = hintOf(store, controls.length, search.value);
     const grammar = hasGrammar(store) && !search.value;
     const open = el("button.small.wide", { type: "button", "data-testid": "open-grammar", click: acts.openGrammar }, "Edit its grammar …");
     body.replaceChildren(...(grammar ? [open] : []), ...controls.map((c) => c.element));
+    if (organism) body.append(el("p.hint", {}, el("a", { href: api.docs(`kinds/${kind}.md`), target: "_blank", rel: "noopener" }, `All of ${spelled(kind)}, with pictures`)));
     refresh();
   };
   const refresh = (): void => controls.forEach((c) => c.refresh());
   const update = (): void => {
     const { selected, preset } = store;
-    const shape = typeof selected === "number" ? `${selected} ${preset.kindOf(selected)}` : `${selected} ${selected === "all" ? [...new Set(store.kinds)].join() : selected === "scene" ? settingOf(store) : ""}`;
+    const shape = typeof selected === "number" ? `${selected} ${preset.kindOf(selected)} ${grammarFileOf(store, selected) !== null}` : `${selected} ${selected === "all" ? [...new Set(store.kinds)].join() : selected === "scene" ? settingOf(store) : ""}`;
     if (shape === built) {
       if (typeof selected === "number") title.textContent = headOf(store, selected);
       return refresh();
@@ -73,6 +76,41 @@ export function inspector(store: Store, acts: InspectorActs): HTMLElement {
     errors = now;
   });
   return element;
+}
+
+/** Groups whose members are told for what they are by their own names. */
+const PLAIN_GROUPS = new Set(["habit", "tree", "accretion", "crawl", "grammar", "swim", "colonize", "weathering"]);
+/** What says which one of the list it is. */
+const LISTED = ["name", "group", "count"];
+
+const headed = (text: string): Control => ({ element: el("h3.part", {}, text), refresh: () => undefined });
+
+/** What shapes it first, each with a picture where there is one; then the rest; what only lists it comes last. */
+function ofOrganism(store: Store, section: Section, kind: string, members: Member[]): Control[] {
+  const leading = store.schema.leading(kind).map((path) => memberAt(members, path)).filter((found) => found !== null);
+  const lead = leading.map(({ path, member }): Control => {
+    const [above, name] = [String(path.at(-2) ?? ""), String(path.at(-1))];
+    const control = row(above && !PLAIN_GROUPS.has(above) ? `${above} ${name}` : name, member.field, member.binding, section, above ? "lead" : "row");
+    const strip = `${kind}-${path.join("-")}`;
+    if (store.strips.has(strip)) control.element.append(el("img.strip", { src: api.strip(strip), alt: `What ${spelled(name)} does: little, more, much`, loading: "lazy" }));
+    return control;
+  });
+  const first = new Set(leading.filter(({ path }) => path.length === 1).map(({ member }) => member));
+  const rest = members.filter((m) => !first.has(m) && !LISTED.includes(m.name));
+  const last = members.filter((m) => LISTED.includes(m.name));
+  return [...lead, ...(lead.length ? [headed("All else")] : []), ...section.members(rest), headed("In the list"), ...section.members(last)];
+}
+
+/** What stands at a path of properties. */
+function memberAt(members: Member[], path: Path): { path: Path; member: Member } | null {
+  let [list, member]: [Member[], Member | undefined] = [members, undefined];
+  for (const key of path) {
+    member = list.find((m) => m.name === key);
+    if (!member) return null;
+    list = member.field.type === "object" ? fieldsOf(member.field, member.binding) : [];
+  }
+  // A group is opened where it stands.
+  return member && member.field.type !== "object" && !(member.field.type === "list" && member.field.item.type === "object") ? { path, member } : null;
 }
 
 /** Its name, and what it is where that does not say it. */

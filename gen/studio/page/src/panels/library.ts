@@ -4,7 +4,7 @@ import * as api from "../api";
 import { el, icon } from "../dom";
 import { Looks } from "../looks";
 import { round } from "../rounding";
-import { applyMaterial, exampleOf, materialsOf, type Material } from "../materials";
+import { applyMaterial, exampleOf, shippedMaterials, type Material } from "../materials";
 import type { Store } from "../store";
 import type { View } from "../view/view";
 import { say } from "./dialogs";
@@ -89,7 +89,7 @@ export function library(store: Store, view: View, stage: HTMLElement): { element
   }
   async function turnTo(name: typeof shown): Promise<void> {
     shown = name;
-    if (name === "materials") materials ??= await materialsOf(store.presets.filter((p) => !NOT_THESE.test(p.name)).map(({ file }) => file));
+    if (name === "materials") materials ??= await shippedMaterials(store.presets);
     show();
   }
 

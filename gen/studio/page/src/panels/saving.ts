@@ -14,7 +14,11 @@ export async function save(store: Store): Promise<void> {
 export async function saveAs(store: Store, suggestion = suggested(store)): Promise<void> {
   const name = el<HTMLInputElement>("input.text", { type: "text", "aria-label": "Name of the file", value: suggestion, "data-testid": "save-name", autofocus: true });
   const answer = await dialog("Save as", (close) => {
-    name.addEventListener("keydown", (event) => event.key === "Enter" && close("save"));
+    name.addEventListener("keydown", (event) => {
+      if (event.key !== "Enter" || event.repeat) return;
+      event.preventDefault();
+      close("save");
+    });
     return [
       el("label.field", {}, el("span", {}, "File"), name),
       buttons([{ value: "cancel", label: "Cancel" }, { value: "save", label: "Save", primary: true }], close),
@@ -25,9 +29,9 @@ export async function saveAs(store: Store, suggestion = suggested(store)): Promi
   await write(store, /\.json$/.test(file) ? file : `${file}.json`, null, false, false);
 }
 
-/** A copy goes to the folder of the studio's own preset; what it names goes along. */
-function suggested(store: Store): string {
-  return store.copy ? store.file.replace(/^.*\//, "").replace(/(\.json)?$/, "_copy.json") : store.file;
+/** A copy goes to the folder of the studio's own preset; what it names goes along. What is new has no other that it is a copy of. */
+export function suggested(store: Pick<Store, "copy" | "disk" | "file">): string {
+  return store.copy && store.disk !== null ? store.file.replace(/^.*\//, "").replace(/(\.json)?$/, "_copy.json") : store.file;
 }
 
 let saving = 0;

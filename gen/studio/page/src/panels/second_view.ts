@@ -1,7 +1,8 @@
 /** Other views of the model: one beside the first, from another side; and, over the first, the preset as it was, up to a line that is dragged. */
 
 import * as api from "../api";
-import { el } from "../dom";
+import { openMenu } from "../controls/menu";
+import { el, icon } from "../dom";
 import type { Store } from "../store";
 import { View } from "../view/view";
 import { SIDES } from "../view/boxes";
@@ -67,9 +68,12 @@ class Follower {
 
 export function secondViews(store: Store, first: View, changed: (state: { beside: boolean; kept: boolean }) => void): SecondViews {
   const host = el("div.view-host", { "data-testid": "second-view" });
-  const looks = Object.keys(SIDES).map((side) => el("button.small", { type: "button", "data-testid": `second:${side}`, click: () => second?.view.frame(chosen(), side as keyof typeof SIDES) }, side));
-  const camera = el("button.small", { type: "button", "data-testid": "second:camera", click: () => second?.view.lookThrough(true) }, "camera");
-  const beside = el("div.second-view", { hidden: true, role: "group", "aria-label": "Second view" }, host, el("div.stage-tools", { role: "group", "aria-label": "Second view looks from" }, ...looks, camera));
+  const looks = el("button", { type: "button", "aria-haspopup": "menu", "data-tip": "Where the second view looks from", "data-testid": "second-views", click: () => openMenu(looks, [
+    ...(Object.keys(SIDES) as (keyof typeof SIDES)[]).map((side) => ({ label: `From the ${side}`, testid: `second:${side}`, act: () => second?.view.frame(chosen(), side) })),
+    { label: "Through the camera", testid: "second:camera", act: () => second?.view.lookThrough(true) },
+    { label: "Close this view", testid: "second:close", act: () => toggle() },
+  ]) }, icon("views"), "Views");
+  const beside = el("div.second-view", { hidden: true, role: "group", "aria-label": "Second view" }, host, el("div.stage-tools", { role: "group", "aria-label": "Second view looks from" }, looks));
   const keptHost = el("div.view-host.kept");
   const wipe = el<HTMLInputElement>("input.wipe", { type: "range", min: "0", max: "100", value: "50", "aria-label": "Where A ends and what it is now begins", "data-testid": "keep-wipe", input: () => setWipe() });
   const back = el("button.small", { type: "button", "data-tip": "The preset becomes what was kept; one step to undo", "data-testid": "back-to-a", click: () => kept !== null && store.change(kept) }, "Back to A");

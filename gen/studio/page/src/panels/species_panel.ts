@@ -83,7 +83,7 @@ function draw(list: api.Listed[], pictures: HTMLCanvasElement[], over: AbortSign
     else missing.push(i);
   });
   const texts = Promise.all(missing.map(async (i) => ({ text: (await api.preset(list[i]!.file)).text, file: list[i]!.file })));
-  void texts.then((docs) => drawPictures(docs, ASPECT, { time: 0, solo: null, hide: [] }, over, (k, cut) => {
+  void texts.then((docs) => drawPictures(docs, { aspect: ASPECT, shown: { time: 0, solo: null, hide: [] } }, over, (k, cut) => {
     if (typeof cut === "string") return;
     const picture = pictures[missing[k]!]!;
     copyTo(picture, cut);

@@ -1,6 +1,7 @@
 /** The view of the model, what is said over it, and what is dragged in it. */
 
 import { Binding } from "../controls/binding";
+import { openMenu, type MenuItem } from "../controls/menu";
 import { keysOf } from "../keyframes";
 import { vectorOf } from "../controls/vector";
 import { bytes, el, grouped, icon, spoken } from "../dom";
@@ -10,7 +11,9 @@ import { SceneLoop } from "../scene_loop";
 import type { Store } from "../store";
 import type { Vec3 } from "../view/header";
 import { View, type Path as DragPath } from "../view/view";
+import { addOrganism } from "./add_organism";
 import { ask } from "./dialogs";
+import { docLink, nextStep } from "./help";
 import { secondViews } from "./second_view";
 import { setCamera } from "./set_camera";
 import { onTheme } from "./theme";
@@ -19,11 +22,11 @@ import { tools, type Tools } from "./tools";
 
 type StageLooks = Record<"frame" | "front" | "side" | "top" | "home", () => void>;
 const VIEWS: [keyof StageLooks, string, string][] = [
-  ["frame", "Frame", "Bring what is selected into the window (F)"],
-  ["front", "Front", "From the front (1)"],
-  ["side", "Side", "From the side (3)"],
-  ["top", "Top", "From above (7)"],
-  ["home", "Home", "Back to where the preset's camera stands (Home)"],
+  ["frame", "Frame what is selected", "F"],
+  ["front", "From the front", "1"],
+  ["side", "From the side", "3"],
+  ["top", "From above", "7"],
+  ["home", "Home, where the camera stands", "Home"],
 ];
 
 /** Metres that a key moves what is selected. */
@@ -44,19 +47,25 @@ export function stage(store: Store): Stage {
   const host = el("div.view-host", { "data-testid": "view" });
   const figures = el("p.scene-figures", { role: "status", "data-testid": "scene-status" });
   const look = el("button", { type: "button", "aria-pressed": "false", "data-tip": "Look through the preset's camera (C)", "data-testid": "look-through", click: () => toggleCamera() }, icon("camera"), "Camera");
-  const set = el("button", { type: "button", "data-tip": "Put the preset's camera where you look from now", "data-testid": "set-camera", click: () => {
-    const { at, to } = view.eye();
-    setCamera(store, at, to);
-  } }, "Set to this view");
-  const two = el("button.small", { type: "button", "aria-pressed": "false", "data-tip": "A second view beside this one, from another side", "data-testid": "two-views", click: () => others.toggle() }, "Two views");
-  const keep = el("button.small", { type: "button", "aria-pressed": "false", "data-tip": "Keeps the preset as it is now, and shows it beside what you make of it", "data-testid": "keep-a", click: () => others.keep() }, "Keep as A");
+  const menu = el("button", { type: "button", "aria-haspopup": "menu", "data-tip": "Where one looks from, a second view, and what it was before", "data-testid": "views", click: () => openMenu(menu, viewItems()) }, icon("views"), "Views");
+  const viewItems = (): MenuItem[] => [
+    ...VIEWS.map(([name, label, key]): MenuItem => ({ label, key, act: looks[name], testid: `view:${name}` })),
+    { label: "Set the camera to this view", tip: "Puts the preset's camera where you look from now", testid: "set-camera", act: () => {
+      const { at, to } = view.eye();
+      setCamera(store, at, to);
+    } },
+    { label: "Two views", tip: "A second view beside this one, from another side", toggles: true, checked: beside, testid: "two-views", act: () => others.toggle() },
+    { label: "Keep as A", tip: "Keeps the preset as it is now, and shows it beside what you make of it", toggles: true, checked: kept, testid: "keep-a", act: () => others.keep() },
+  ];
+  let [beside, kept] = [false, false];
   const chosen = (): number | null => (store.picked && typeof store.selected === "number" ? store.selected : null);
   const looks: StageLooks = { frame: () => view.frame(chosen()), front: () => view.frame(chosen(), "front"), side: () => view.frame(chosen(), "side"), top: () => view.frame(chosen(), "top"), home: () => view.home() };
-  const views = VIEWS.map(([name, label, tip]) => el("button.small", { type: "button", "data-tip": tip, "data-testid": `view:${name}`, click: looks[name] }, label));
+  const finer = el<HTMLProgressElement>("progress.finer", { max: 1, hidden: true, "aria-label": "The picture becomes finer", "data-tip": "The picture becomes finer", "data-testid": "refining" });
   const over = el("div.over", { hidden: true, "data-testid": "estimate" });
+  const nothing = el("div.over.nothing", { hidden: true, "data-testid": "nothing" }, nextStep("Nothing grows here yet. Add a plant, a coral or a wall, and shape it at the side; or drag one from the library.", docLink("tutorial.md", "An hour by hand"), ["Add an organism …", () => void addOrganism(store)]));
   const bar = el<HTMLProgressElement>("progress", { max: 1, "aria-label": "Organisms that have grown" });
   const growing = el("div.growing", { hidden: true, "data-testid": "growing" }, bar, el("button.small", { type: "button", "data-testid": "stop-growing", click: () => loop.stop() }, "Stop"));
-  const element = el("section.stage", { "aria-label": "View of the model" }, host, growing, el("div.stage-tools", { role: "group", "aria-label": "Camera" }, ...views, two, keep, look, set), over, figures);
+  const element = el("section.stage", { "aria-label": "View of the model" }, host, growing, el("div.stage-tools", { role: "group", "aria-label": "Camera" }, menu, look), over, nothing, el("div.stage-said", {}, figures, finer));
   let through = false;
 
   const moving = together(store);
@@ -70,11 +79,12 @@ export function stage(store: Store): Stage {
     camera: (at, to) => setCamera(store, at, to),
     forgotten: () => loop.want(),
     through: (on) => showThrough(on),
+    refining: (share) => {
+      finer.hidden = share >= 1;
+      if (share < 1) finer.value = share;
+    },
   });
-  const others = secondViews(store, view, ({ beside, kept }) => {
-    two.setAttribute("aria-pressed", String(beside));
-    keep.setAttribute("aria-pressed", String(kept));
-  });
+  const others = secondViews(store, view, (state) => ({ beside, kept } = state));
   host.after(others.over);
   const loop = new SceneLoop(store, view);
   const hands = tools(store, view);
@@ -101,21 +111,23 @@ export function stage(store: Store): Stage {
     element.classList.toggle("wrong", faults > 0);
     // Words that change with each picture would be read aloud without end.
     figures.setAttribute("aria-live", faults ? "polite" : "off");
-    figures.textContent = faults ? `${faults === 1 ? "A problem keeps" : `${faults} problems keep`} the picture as it was` : soFar ? `Growing, ${soFar.done} of ${soFar.of} …` : header ? summary(header.nodes, header.copies, took) : busy ? "Growing …" : "";
+    figures.textContent = faults ? `${faults === 1 ? "A problem keeps" : `${faults} problems keep`} the picture as it was` : soFar ? (soFar.of ? `Growing, ${soFar.done} of ${soFar.of} …` : "Growing …") : header ? summary(header.nodes, header.copies, took) : busy ? "Growing …" : "";
     over.hidden = estimate === null && !stopped;
     if (stopped) over.replaceChildren(el("span", {}, "Stopped: not all has grown."), el("button", { type: "button", "data-testid": "grow-on", click: () => loop.agree() }, "Grow it"));
     growing.hidden = soFar === null;
     if (soFar) bar.value = soFar.of ? soFar.done / soFar.of : 0;
   };
   const summary = (nodes: number, copies: number, took: number): string =>
-    [`${grouped(nodes)} nodes`, copies ? `${grouped(copies)} copies` : "", spoken(took)].filter(Boolean).join(" · ");
+    [nodes ? `${grouped(nodes)} nodes` : "", copies ? `${grouped(copies)} copies` : "", spoken(took)].filter(Boolean).join(" · ");
 
   let asking = false;
   const askIfLong = async (): Promise<void> => {
     const { estimate } = store.scene;
     if (!estimate || asking) return;
     asking = true;
-    const text = `${grouped(estimate.nodes)} nodes: about ${spoken(estimate.seconds)} and ${bytes(estimate.memory)} of memory.`;
+    const about = `about ${spoken(estimate.seconds)} and ${bytes(estimate.memory)} of memory`;
+    // The land itself may take long, without a node.
+    const text = estimate.nodes ? `${grouped(estimate.nodes)} nodes: ${about}.` : `The land and what lies on it: ${about}.`;
     const answer = await ask("This would take long to grow", text, [{ value: "no", label: "Not now" }, { value: "grow", label: "Grow it", primary: true }], "long");
     asking = false;
     if (answer === "grow") return loop.agree();
@@ -136,6 +148,7 @@ export function stage(store: Store): Stage {
     view.lookThrough(false);
     view.clear();
   });
+  store.on(["text", "opened"], () => (nothing.hidden = !store.isOpen || store.preset.syntax.length > 0 || store.preset.organisms.length > 0));
   let drawn = "[]";
   const drawPaths = (): void => {
     const paths = pathsOf(store);

@@ -7,6 +7,7 @@ import { materialOf } from "../materials";
 import type { Store } from "../store";
 import type { View } from "../view/view";
 import { say } from "./dialogs";
+import { swap } from "./swap";
 
 const SIZE: [number, number] = [240, 180];
 /** So long nothing is changed before a ball is drawn, ms. */
@@ -16,7 +17,11 @@ export function swatch(store: Store, view: View): HTMLElement {
   const ball = el<HTMLImageElement>("img", { alt: "Its material on a ball", "data-testid": "swatch", hidden: true });
   const plant = el<HTMLImageElement>("img", { alt: "Its material as one sees it now", "data-testid": "swatch-plant", hidden: true });
   const button = el<HTMLButtonElement>("button.small", { type: "button", "data-tip": "POV-Ray draws a small picture from where you look now", "data-testid": "on-plant", click: () => void onPlant() }, "As it looks there");
-  const element = el("div.made-of", { role: "group", "aria-label": "Material", hidden: true }, ball, plant, button);
+  const swapOf = (what: "leaves" | "surface", label: string, tip: string): HTMLButtonElement =>
+    el<HTMLButtonElement>("button.small", { type: "button", "data-tip": tip, "data-testid": `swap-${what}`, click: () => void swap(store, entry()!, what) }, label);
+  const surface = swapOf("surface", "Swap it …", "Another bark, skin or stone, by its picture");
+  const leaves = swapOf("leaves", "Swap leaves …", "The leaves of another preset, by its picture");
+  const element = el("div.made-of", { role: "group", "aria-label": "Material", hidden: true }, ball, plant, button, surface, leaves);
   let shown = "";
   let asked: AbortController | null = null;
 
@@ -42,6 +47,7 @@ export function swatch(store: Store, view: View): HTMLElement {
   const refresh = (): void => {
     const which = entry();
     element.hidden = which === null;
+    leaves.hidden = which === null || !store.schema.kind(store.preset.kindOf(which)).fields.has("leaves");
     const now = which === null ? "" : JSON.stringify([store.file, which, store.preset.kindOf(which), materialOf(store.preset.organism(which))]);
     if (now === shown) return;
     shown = now;

@@ -1,6 +1,6 @@
 /** What the pointer does in the view: select, work on branches, draw, measure. */
 
-import { el } from "../dom";
+import { el, icon } from "../dom";
 import type { Store } from "../store";
 import { Branches } from "../tools/branches";
 import { Draw } from "../tools/draw";
@@ -27,9 +27,9 @@ export interface Tools {
 export function tools(store: Store, view: View): Tools {
   const made = { place: new PlaceTool(store, view), branches: new Branches(store, view), draw: new Draw(store, view), paint: new Paint(store, view), measure: new Measure(store, view) };
   let now: ToolName = "select";
-  const buttons = TOOLS.map(([name, label, tip]) => el("button.small", { type: "button", "data-tip": tip, "data-testid": `tool:${name}`, "aria-pressed": String(name === now), click: () => choose(name) }, label));
+  const buttons = TOOLS.map(([name, label, tip]) => el("button.tool", { type: "button", "data-tip": tip, "data-testid": `tool:${name}`, "aria-pressed": String(name === now), click: () => choose(name) }, icon(name), el("span", {}, label)));
   const options = el("div.tool-panel", { hidden: true });
-  const element = el("div.tools", {}, el("div.cluster", { role: "group", "aria-label": "Tools" }, ...buttons), options);
+  const element = el("div.tools", {}, el("div.rail", { role: "group", "aria-label": "Tools" }, ...buttons), options);
 
   function choose(name: ToolName): void {
     if (now === "paint") made.paint.leave();

@@ -40,8 +40,11 @@ export function wall(store: Store): Wall {
   const grid = el("div.wall-grid", { "data-testid": "wall-grid" });
   const range = el("span.wall-range");
   const again = el("button.small", { type: "button", click: () => again_() }, "Nine others");
+  const bar = el<HTMLProgressElement>("progress", { max: 1, "aria-label": "Variations that are as they will be" });
+  const said = el("span", { role: "status" });
+  const progress = el("span.wall-progress", { hidden: true, "data-testid": "wall-progress" }, bar, said);
   const element = el("section.wall", { "aria-label": "Variations", hidden: true, "data-testid": "wall" },
-    el("div.pane-head", {}, title, range, again, iconButton("close", "Close the variations", () => close())), grid);
+    el("div.pane-head", {}, title, range, progress, again, iconButton("close", "Close the variations", () => close())), grid);
   let again_: () => void = NOTHING;
   let drawing = new AbortController();
   let before: HTMLElement | null = null;
@@ -74,12 +77,33 @@ export function wall(store: Store): Wall {
   async function draw(texts: string[], pictures: HTMLCanvasElement[], over: AbortSignal): Promise<void> {
     const docs = texts.map((text) => ({ text, file: store.file }));
     const shown = { time: store.time, solo: store.solo.size ? [...store.solo] : null, hide: [...store.hidden] };
-    await drawPictures(docs, aspectOf(store), shown, over, (i, drawn) => {
+    const finished = new Set<number>();
+    const tell = (working: number | null): void => {
+      progress.hidden = working === null;
+      bar.value = finished.size / COUNT;
+      said.textContent = `${finished.size} of ${COUNT} are as they will be`;
+      pictures.forEach((figure, i) => figure.parentElement!.classList.toggle("working", i === working));
+    };
+    const begin = (i: number): void => {
+      tell(i);
+      const tile = pictures[i]!.parentElement!;
+      if (!tile.classList.contains("drawn")) tile.dataset.note = "growing …";
+    };
+    tell(0);
+    await drawPictures(docs, { aspect: aspectOf(store), shown, roughly: store.preset.organisms.length, begin }, over, (i, drawn, done) => {
       const figure = pictures[i]!;
-      if (typeof drawn === "string") figure.parentElement!.dataset.note = drawn;
-      else copyTo(figure, drawn);
-      figure.parentElement!.classList.add("drawn");
+      const tile = figure.parentElement!;
+      if (typeof drawn === "string") tile.dataset.note = drawn;
+      else {
+        copyTo(figure, drawn);
+        delete tile.dataset.note;
+      }
+      tile.classList.add("drawn");
+      tile.classList.toggle("rough", !done);
+      if (done) finished.add(i);
+      tell(i);
     });
+    if (!over.aborted) tell(null);
   }
 
   const seeds = (): void => {

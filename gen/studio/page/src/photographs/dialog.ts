@@ -43,7 +43,7 @@ export async function usePhotograph(binding: Binding): Promise<void> {
 
 async function write(binding: Binding, what: string, png: Blob, ownColors: boolean): Promise<void> {
   const { store, entry, path } = binding;
-  const name = store.nameOfWritten(await api.painted(`${entry === null ? "all" : store.preset.nameOf(entry)}-${what}.png`, png));
+  const name = store.nameOfWritten(await api.painted(`${entry === null ? "all" : store.preset.nameOf(entry)}-${what}.png`, png, store.file));
   const colors = [...path.slice(0, -1), "colors"];
   store.batch((text) => {
     const set = store.edited(text, path, name);

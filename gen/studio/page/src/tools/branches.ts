@@ -3,8 +3,10 @@
 import { Plane, Quaternion, Raycaster, Vector3, type PerspectiveCamera } from "three";
 import * as api from "../api";
 import type { Picked } from "../api";
-import { el } from "../dom";
+import { el, sleep } from "../dom";
+import { removeAt } from "../edits";
 import { say } from "../panels/dialogs";
+import { lostEdits, type LostEdit } from "../lost_edits";
 import { getAt } from "../pointer";
 import { round } from "../rounding";
 import type { Store } from "../store";
@@ -16,6 +18,7 @@ import { Marks, touches } from "../view/marks";
 const COLORS = { hangs: 0xffa63d, axis: 0xffffff, handle: 0x59c36a };
 const FAR = 1e4; // metres
 const STRONGER = 1.25;
+const HOVER = 60; // ms between questions what is under the pointer
 const MOST_STEPS = 30; // nodes that are passed over
 
 interface Edit {
@@ -33,9 +36,14 @@ export class Branches implements Tool {
   private picked: Picked | null = null;
   private pixel = 0.001;
   private asked = 0;
+  /** Where the pointer is, not asked yet. */
+  private under: ReturnType<typeof rayOf> | null = null;
+  private hovering = false;
   private told = el("p", { role: "status", "data-testid": "branch" }, "Click a branch.");
   private address = el<HTMLInputElement>("input", { type: "text", size: 12, "aria-label": "Address of the branch", "data-tip": "Numbers of branches counted from the foot, with slashes, and the share of its length: 3/1:0.4", "data-testid": "branch-address" });
   private year = el<HTMLInputElement>("input.number", { type: "number", min: "1", step: "1", size: 5, "aria-label": "Year in which it is cut", "data-testid": "cut-year" });
+  private lost = el("details.lost-edits", { hidden: true, "data-testid": "lost-edits" }) as HTMLDetailsElement;
+  private lostShown = "";
   private byYear: HTMLElement;
   private acts: HTMLElement;
 
@@ -64,13 +72,34 @@ export class Branches implements Tool {
         go("parent", "▾", "What it grows on", (axis, step) => (axis.length && step === 1 ? axis.slice(0, -1) : null)),
         go("child", "▴", "The first that grows on it", (axis, step) => [...axis, step])),
       this.acts,
+      this.lost,
     );
+    this.store.on("scene", () => this.tellLost());
     this.address.addEventListener("keydown", (event) => event.key === "Enter" && void this.find(this.address.value));
   }
 
   click(ray: Raycaster): void {
-    const { origin, direction } = ray.ray;
-    void this.ask({ from: origin.toArray(), to: origin.clone().addScaledVector(direction, FAR).toArray() });
+    void this.ask(rayOf(ray));
+  }
+
+  /** The branch under the pointer is drawn over, and named, before it is clicked: one question at a time. */
+  hover(ray: Raycaster | null): void {
+    this.under = ray && rayOf(ray);
+    if (!this.under) this.view.trace([]);
+    else if (!this.hovering) void this.follow();
+  }
+
+  private async follow(): Promise<void> {
+    this.hovering = true;
+    while (this.under) {
+      const asked = this.under;
+      const found = await api.pick(this.store.doc, this.store.time, asked).catch(() => null);
+      await sleep(HOVER);
+      if (this.under === asked) this.under = null;
+      else if (!this.under) break; // it has left
+      this.view.trace(found?.beam.filter((_, i) => i % 4 < 3) ?? []);
+    }
+    this.hovering = false;
   }
 
   /** The place that is picked is taken hold of; elsewhere the eye is turned. */
@@ -94,6 +123,33 @@ export class Branches implements Tool {
   scaleTo(camera: PerspectiveCamera, pixel: number): void {
     this.pixel = pixel;
     this.drawn.scaleTo(camera, pixel);
+  }
+
+  /** Says which edits find no branch, where these are others than before. */
+  private tellLost(): void {
+    const { header, notes } = this.store.scene;
+    if (!header || header.missing.length || header.coarse) return;
+    const lost = lostEdits(this.store, notes);
+    const now = JSON.stringify([this.store.file, lost]);
+    if (now === this.lostShown) return;
+    this.lostShown = now;
+    this.lost.hidden = !lost.length;
+    this.lost.replaceChildren(
+      el("summary", {}, `${lost.length === 1 ? "1 edit finds" : `${lost.length} edits find`} no branch`),
+      el("p.hint", {}, "They stay in the preset and count again where there is such a branch, as with the seed that they were made for."),
+      el("ul", {}, ...lost.map((one) => el("li", {}, `${this.store.preset.nameOf(one.entry)}: ${one.what}. ${one.why}`))),
+      el("button.small", { type: "button", "data-testid": "forget-lost", click: () => this.forgetLost(lost) }, "Take them out"),
+    );
+    if (lost.length) say(`${lost.length === 1 ? "1 edit of branches finds none" : `${lost.length} edits of branches find none`}: ${lost.map((one) => one.what).slice(0, 5).join("; ")}${lost.length > 5 ? " …" : ""}`);
+  }
+
+  private forgetLost(lost: LostEdit[]): void {
+    const { store } = this;
+    const last = [...lost].sort((a, b) => b.index - a.index);
+    store.batch((text) => last.reduce((out, { entry, index }) => {
+      const path = ["organisms", entry, "edits", index];
+      return removeAt(store.writtenOut(out, path), path);
+    }, text));
   }
 
   /** What was picked may be another now. */
@@ -210,6 +266,11 @@ export class Branches implements Tool {
     else if (all.length) store.remove(path);
     say(edits.length === 1 ? "1 edit of branches." : `${edits.length} edits of branches.`);
   }
+}
+
+/** From the eye on, as far as one sees. */
+function rayOf({ ray: { origin, direction } }: Raycaster): { from: [number, number, number]; to: [number, number, number] } {
+  return { from: origin.toArray(), to: origin.clone().addScaledVector(direction, FAR).toArray() };
 }
 
 function nearestNode(beam: readonly number[], at: Vector3): number {

@@ -166,7 +166,7 @@ export class Draw implements Tool {
     const point = points[found.index]!;
     if (keys) return this.keyHandles(keys, point, found.index);
     return (["in", "out"] as const).map((way) => {
-      const offset = handleOf(points, found.index, way, smooth, closed) ?? slope(points, found.index, closed).multiplyScalar(way === "out" ? 1 : -1);
+      const offset = handleOf(points, found.index, way, smooth, closed) ?? slope(points, found.index, closed, way).multiplyScalar(way === "out" ? 1 : -1);
       return { point, way, at: point.at.clone().add(offset) };
     });
   }

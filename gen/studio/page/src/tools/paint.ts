@@ -246,7 +246,7 @@ export class Paint implements Tool {
 
   private async save(mask: Maskable, lies: Projection): Promise<void> {
     const name = `${mask.label.replace(/^(where|the) | (grows|creeps)$/g, "").replace(/\W+/g, "-")}-map.png`;
-    const file = this.store.nameOfWritten(await api.painted(name, await pngOf(this.canvas)));
+    const file = this.store.nameOfWritten(await api.painted(name, await pngOf(this.canvas), this.store.file));
     this.shown = `${mask.value} ${beside(this.store.file, file)}`;
     const land = (this.view.head?.land ?? 0) / 2;
     const whole = mask.on === "ground" && lies.along === "y" && lies.high[0] === land && lies.high[1] === land && lies.low[0] === -land;

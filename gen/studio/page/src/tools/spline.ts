@@ -15,14 +15,32 @@ export function handleOf(knots: readonly Knot[], i: number, way: "in" | "out", s
   const other = knot[way === "in" ? "out" : "in"];
   if (knot[way]) return knot[way];
   if (other) return other.clone().negate();
-  return smooth ? slope(knots, i, closed).multiplyScalar(way === "out" ? 1 : -1) : null;
+  return smooth ? slope(knots, i, closed, way).multiplyScalar(way === "out" ? 1 : -1) : null;
 }
 
-/** A third of the slope from the point before to the one after (Catmull and Rom 1974). */
-export function slope(knots: readonly Knot[], i: number, closed: boolean): Vector3 {
+/**
+ * A third of the slope of a smooth line at a point, as spline_slopes() of gen/core/spline.h has it: of Catmull and Rom
+ * where both ways are about as long, of their centripetal curve where one is much longer.
+ */
+export function slope(knots: readonly Knot[], i: number, closed: boolean, way: "in" | "out" = "out"): Vector3 {
   const n = knots.length;
   const near = (k: number): Vector3 => knots[closed ? (k + n) % n : Math.min(n - 1, Math.max(0, k))]!.at;
-  return near(i + 1).clone().sub(near(i - 1)).divideScalar(6);
+  const even = near(i + 1).clone().sub(near(i - 1)).divideScalar(6);
+  if (!closed && (i === 0 || i === n - 1)) return even;
+  const come = near(i).clone().sub(near(i - 1));
+  const go = near(i + 1).clone().sub(near(i));
+  const [a, b] = [come.length(), go.length()];
+  const ratio = Math.max(a, b) / Math.min(a, b);
+  if (!(ratio > 1.5)) return even;
+  if (!(Math.min(a, b) > 0)) return new Vector3();
+  const s = Math.min((ratio - 1.5) / 1.5, 1);
+  const [before, after] = [Math.sqrt(a), Math.sqrt(b)];
+  const share = s * s * (3 - 2 * s);
+  const speed = come.multiplyScalar(after / before).addScaledVector(go, before / after).divideScalar(3 * (before + after));
+  // Both of one direction, or there would be a corner.
+  const line = even.clone().lerp(speed.clone().multiplyScalar(Math.sqrt(before * after)), share);
+  const along = speed.length() * (way === "in" ? before : after);
+  return line.setLength(even.length() + (along - even.length()) * share);
 }
 
 /** Places along a line, as gen/core/spline.h has them. */

@@ -61,7 +61,8 @@ export class Stand extends Group {
     this.levels = part.levels.map(make);
     this.shadow = make(part.levels.at(-1)!);
     for (const level of this.levels) for (const d of level.drawn) d.casts = false;
-    for (const level of [...this.levels, this.shadow]) this.add(...level.drawn);
+    // Of a level without a shape, as of a plant that is nothing from afar, there is nothing to add.
+    for (const one of [...this.levels, this.shadow].flatMap((level) => level.drawn)) this.add(one);
     this.reach = reach;
     this.lay(data, reach);
     this.listForSun();

@@ -120,6 +120,11 @@ export class Drawn extends Mesh<BufferGeometry, RawShaderMaterial> {
     this.share = share;
   }
 
+  /** Whether a share may stand for all. */
+  get thinned(): boolean {
+    return this.thinning !== "none";
+  }
+
   /** Of the level that was chosen. */
   get triangles(): number {
     const { geometry, bundle } = this.dresses[this.level]!.level;

@@ -2,7 +2,7 @@ import { MathUtils, PerspectiveCamera, Sphere, Vector3, type Box3 } from "three"
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Header, Vec3 } from "./header";
 
-/** How much of the window the film's frame takes where one looks through the preset's camera. */
+/** How much of the window the film's frame takes from where the preset's camera stands: all of it is seen, with some air. */
 const FRAME = 0.94;
 const FLIGHT = 450; // ms
 
@@ -141,7 +141,7 @@ export class Eye {
 
   /** The film's frame in the window: left, top, width and height in pixels. */
   frame(): [number, number, number, number] {
-    const width = this.share() * Math.min(this.width, this.height * this.filmAspect);
+    const width = FRAME * Math.min(this.width, this.height * this.filmAspect);
     const height = width / this.filmAspect;
     return [(this.width - width) / 2, (this.height - height) / 2, width, height];
   }
@@ -187,9 +187,6 @@ export class Eye {
     this.controls.enableDamping = false;
     this.controls.update();
     this.controls.enableDamping = true;
-  }
-  private share(): number {
-    return this.through ? FRAME : 1;
   }
   /** So that the film's frame is all in the window. */
   private fov(): number {

@@ -2,6 +2,7 @@ import { Box3, PerspectiveCamera, Scene, Vector2, Vector3, WebGLRenderTarget, We
 import { Stand } from "./copies";
 import { Drawn } from "./drawn";
 import { Outline } from "./outline";
+import { LONGEST, Pace } from "./pace";
 import { shared, type Shared } from "./shared";
 import { Settle } from "./settle";
 import { Shadow } from "./shadow";
@@ -11,11 +12,16 @@ import { Sky } from "./sky";
 const SLOW = /swiftshader|llvmpipe|software|basic render/i;
 /** Triangles of a picture while something moves, and of one at rest. */
 const BUDGET = { quick: 8e6, fine: 16e6 };
-const SLOW_BUDGET = { quick: 2e4, fine: 1.5e6 };
-/** Pixels that may be lost where there is time enough, and where there is not; and what share is drawn at least. */
+const SLOW_BUDGET = { quick: 8e4, fine: 1.5e6 };
+/** Pixels that may be lost where there is time enough, and where there is not: no more than are still a part of a plant. Then
+ *  fewer pixels are drawn, of which as few may be lost. */
 const LOST = 4;
-const MOST_LOST = 60;
-const LEAST_SHARE = 0.02;
+const MOST_LOST = 16;
+/** How many times fewer pixels each way a slow machine draws of what moves: where there is time enough, and where there is not. */
+const SMALLER = 2;
+const SMALLEST = 3;
+/** What share is drawn at least. */
+const LEAST_SHARE = 0.05;
 
 /** Draws the scene in its several ways. */
 export class Painter {
@@ -42,6 +48,13 @@ export class Painter {
   /** What is behind nothing. */
   backdrop = 0x16181a;
   private fence: WebGLSync | null = null;
+  /** When the last picture was begun, and how long it took to draw, ms. */
+  private began = 0;
+  private took = 0;
+  private pace: Pace;
+  /** Triangles of the last plan, and whether it leaves nothing out. */
+  private planned = 0;
+  private whole = false;
 
   constructor(canvas: HTMLCanvasElement) {
     const probe = document.createElement("canvas").getContext("webgl2");
@@ -49,6 +62,7 @@ export class Painter {
     const info = probe.getExtension("WEBGL_debug_renderer_info");
     this.slow = SLOW.test(String(probe.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : probe.RENDERER)));
     probe.getExtension("WEBGL_lose_context")?.loseContext();
+    this.pace = new Pace(this.budget.quick, this.budget.fine);
     this.renderer = new WebGLRenderer({ canvas, antialias: !this.slow, preserveDrawingBuffer: true, powerPreference: "high-performance" });
     this.renderer.autoClear = false;
     this.renderer.sortObjects = false;
@@ -80,8 +94,7 @@ export class Painter {
 
   /** Makes all as coarse as the mode's budget asks for; where that is not enough, some stand for all, if they are parts of
    *  an organism. */
-  private plan(camera: PerspectiveCamera, mode: "quick" | "fine"): void {
-    const budget = (this.slow ? SLOW_BUDGET : BUDGET)[mode];
+  private plan(camera: PerspectiveCamera, mode: "quick" | "fine", budget = this.budget[mode]): void {
     const { x, y, z } = camera.position;
     const pixel = this.pixelOf(camera, this.size.y);
     const cost = (): number => {
@@ -95,14 +108,33 @@ export class Painter {
       sum = cost();
     }
     for (; sum > budget && this.lost[mode] < MOST_LOST; sum = cost()) this.lost[mode] *= 1.6;
-    const whole = this.stands.reduce((sum, stand) => sum + stand.triangles, 0);
-    const share = Math.min(1, Math.max(LEAST_SHARE, (budget - whole) / Math.max(1, sum - whole)));
-    for (const one of this.things) one.thin(one.parent === this.world ? share : 1);
+    const mayGo = (one: Drawn): boolean => one.thinned && one.parent === this.world;
+    const thinnable = this.things.reduce((sum, one) => (mayGo(one) && one.visible ? sum + one.triangles : sum), 0);
+    // What cannot be thinned must not make all else too few to be told for what it is.
+    const share = Math.min(1, Math.max(LEAST_SHARE, Math.max(budget - (sum - thinnable), budget / 2) / Math.max(1, thinnable)));
+    this.planned = Math.min(sum, budget);
+    this.whole = share === 1 && this.lost[mode] <= LOST;
+    for (const one of this.things) one.thin(mayGo(one) ? share : 1);
   }
 
-  /** How many pictures make a settled one. */
+  private get budget(): typeof BUDGET {
+    return this.slow ? SLOW_BUDGET : BUDGET;
+  }
+
+  /** How many pictures make a settled one: where each takes long, few. */
   private get enough(): number {
-    return this.slow ? 8 : 16;
+    const most = this.slow ? 8 : 16;
+    return this.took > LONGEST ? 2 : most;
+  }
+
+  /** The picture at rest is made anew. */
+  again(): void {
+    this.settle.count = 0;
+  }
+
+  /** How much of the picture at rest there is, 0..1. */
+  get settled(): number {
+    return this.settle.count / this.enough;
   }
 
   /** Draws at once. */
@@ -111,14 +143,30 @@ export class Painter {
     this.plan(camera, "quick");
     if (this.shadowIsOld && !this.slow) this.shade();
     this.renderer.setRenderTarget(null);
-    if (this.slow) this.settle.roughly(() => this.look(camera, 0.5, true));
+    const smaller = Math.min(SMALLEST, Math.max(SMALLER, Math.ceil(this.lost.quick / LOST)));
+    if (this.slow) this.settle.roughly(smaller, () => this.look(camera, 0.5, true));
     else this.look(camera, 0.4, true);
     this.mark();
   }
 
   /** Makes the picture at rest finer; whether there is more to come. */
   refine(camera: PerspectiveCamera): boolean {
-    if (this.settle.count === 0) this.plan(camera, "fine");
+    if (this.settle.count === 1 && this.pace.finer(this.took, this.planned, this.whole)) this.settle.count = 0;
+    if (this.settle.count === 0) this.plan(camera, "fine", this.pace.triangles);
+    return this.add(camera);
+  }
+
+  /** Draws the picture at rest at once, however long that takes. */
+  finely(camera: PerspectiveCamera, pictures: number): void {
+    this.settle.count = 0;
+    this.plan(camera, "fine");
+    while (this.add(camera) && this.settle.count < pictures) {
+      // One more.
+    }
+  }
+
+  /** Adds a picture to the one at rest; whether there is more to come. */
+  private add(camera: PerspectiveCamera): boolean {
     if (this.shadowIsOld) {
       this.shade();
       this.mark();
@@ -240,6 +288,7 @@ export class Painter {
     if (this.fence && gl.getSyncParameter(this.fence, gl.SYNC_STATUS) === gl.SIGNALED) {
       gl.deleteSync(this.fence);
       this.fence = null;
+      this.took = performance.now() - this.began;
     }
     return this.fence !== null;
   }
@@ -247,6 +296,7 @@ export class Painter {
     const gl = this.renderer.getContext() as WebGL2RenderingContext;
     if (this.fence) gl.deleteSync(this.fence);
     this.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    this.began = performance.now();
     gl.flush();
   }
 

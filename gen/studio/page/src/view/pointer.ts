@@ -50,6 +50,7 @@ export class Pointer {
     canvas.addEventListener("pointermove", (e) => this.move(e), options);
     canvas.addEventListener("pointerup", (e) => this.end(e), options);
     canvas.addEventListener("pointercancel", () => this.release(), options);
+    canvas.addEventListener("pointerleave", () => this.target.tool?.hover?.(null), options);
   }
 
   dispose(): void {
@@ -129,8 +130,9 @@ export class Pointer {
 
   private dragging = false;
   private move(event: PointerEvent): void {
-    if (!this.drag || event.pointerId !== this.down?.id) return;
     const [x, y] = this.place(event);
+    if (!this.down && event.pointerType !== "touch") this.target.tool?.hover?.(this.aim(x, y));
+    if (!this.drag || event.pointerId !== this.down?.id) return;
     this.dragging ||= this.wandered(x, y);
     if (this.dragging) this.drag.move(this.aim(x, y), event.shiftKey);
   }

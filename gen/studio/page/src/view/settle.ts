@@ -1,9 +1,6 @@
 import { AddEquation, BufferAttribute, BufferGeometry, CustomBlending, DepthTexture, GLSL3, HalfFloatType, Mesh, OneFactor, PerspectiveCamera, RawShaderMaterial, Scene, UnsignedIntType, Vector2, WebGLRenderTarget, type WebGLRenderer } from "three";
 import { COLOR } from "./glsl";
 
-/** A small picture has so many times fewer pixels each way. */
-const SMALLER = 2;
-
 const VERTEX = /* glsl */ `
 precision highp float;
 in vec3 position;
@@ -47,6 +44,8 @@ export class Settle {
   private show: RawShaderMaterial;
   /** Pictures so far. */
   count = 0;
+  /** A small picture has so many times fewer pixels each way. */
+  private smaller = 2;
 
   constructor(private renderer: WebGLRenderer) {
     this.one = new WebGLRenderTarget(1, 1, { generateMipmaps: false });
@@ -72,9 +71,13 @@ export class Settle {
   resize(width: number, height: number): void {
     this.one.setSize(width, height);
     this.sum.setSize(width, height);
-    this.small.setSize(Math.ceil(width / SMALLER), Math.ceil(height / SMALLER));
     this.whole.set(width, height);
+    this.sizeSmall();
     this.count = 0;
+  }
+
+  private sizeSmall(): void {
+    this.small.setSize(Math.ceil(this.whole.x / this.smaller), Math.ceil(this.whole.y / this.smaller));
   }
 
   /** Where picture `k` lies in a pixel, -0.5..0.5: the R2 sequence (Roberts 2018). */
@@ -82,8 +85,12 @@ export class Settle {
     return [((0.5 + 0.7548776662 * k) % 1) - 0.5, ((0.5 + 0.5698402910 * k) % 1) - 0.5];
   }
 
-  /** Shows what `draw` draws with fewer pixels. */
-  roughly(draw: () => void): void {
+  /** Shows what `draw` draws with so many times fewer pixels each way. */
+  roughly(smaller: number, draw: () => void): void {
+    if (smaller !== this.smaller) {
+      this.smaller = smaller;
+      this.sizeSmall();
+    }
     this.renderer.setRenderTarget(this.small);
     draw();
     this.paint(null, this.enlarge);

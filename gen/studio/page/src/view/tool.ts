@@ -11,6 +11,8 @@ export interface Tool {
   /** Drawn over the picture. */
   readonly drawn: Group;
   click(ray: Raycaster): void;
+  /** The pointer is there, with no button held; null: it has left the view. */
+  hover?(ray: Raycaster | null): void;
   /** What a drag that begins there does; null: it turns the eye. */
   drag(ray: Raycaster): Drag | null;
   /** Keeps its handles of one size on the screen; `pixel`: metres that a pixel covers a metre away. */

@@ -17,6 +17,7 @@ import { Pointer, type Planting, type PointerTarget } from "./pointer";
 import { PartCache } from "./part_cache";
 import type { Header, Part, Vec3 } from "./header";
 import type { Tool } from "./tool";
+import { Trace } from "./trace";
 
 export type { Path } from "./guides";
 
@@ -33,6 +34,8 @@ export interface ViewEvents {
   forgotten?(): void;
   /** One looks through the preset's camera now, or no more. */
   through?(on: boolean): void;
+  /** How much of the picture at rest is there, 0..1; 1 where there is nothing to wait for. */
+  refining?(share: number): void;
 }
 
 /** What stands for an organism where one clicks: specimens from 1, entries that are sown from here on. */
@@ -61,6 +64,7 @@ export class View implements PointerTarget {
   private shown: { part: Part; thing: Drawn | Stand }[] = [];
   tool: Tool | null = null;
   private painted: Painted | null = null;
+  private traced = new Trace();
   private selected: number | null = null;
   /** What is marked beside it. */
   private also: ReadonlySet<number> = NOBODY;
@@ -68,6 +72,8 @@ export class View implements PointerTarget {
   private movable: Header["specimens"] = [];
   private wayShown = false;
   private coming = 0;
+  /** Whether what comes makes the picture at rest finer. */
+  private refining = false;
   private sky = "";
   /** Whether the model was on the screen yet. */
   private seen = false;
@@ -89,11 +95,11 @@ export class View implements PointerTarget {
     this.frameBox.style.cssText = "position:absolute;pointer-events:none;box-shadow:0 0 0 4000px rgb(0 0 0/.55);outline:1px solid rgb(255 255 255/.5);display:none";
     if (getComputedStyle(host).position === "static") host.style.position = "relative";
     host.style.overflow = "hidden";
-    host.append(this.canvas, this.frameBox);
+    host.append(this.canvas, this.traced.element, this.frameBox);
     this.painter = new Painter(this.canvas);
     this.painter.over.add(this.guides);
     this.eyes = new Eye(this.canvas, this.changed, () => this.throughChanged());
-    this.pictures = new Pictures(pictureAddress, this.changed);
+    this.pictures = new Pictures(pictureAddress, this.pictureCame);
     this.cache = new PartCache({ shared: this.painter.shared, pictures: this.pictures });
     this.pointer = new Pointer(this.canvas, this);
     this.listen();
@@ -131,6 +137,11 @@ export class View implements PointerTarget {
     return this.cache.names();
   }
 
+  /** Takes the keys. */
+  focus(): void {
+    this.canvas.focus();
+  }
+
   /** Shows nothing, until there is another model. */
   clear(): void {
     this.header = null;
@@ -164,6 +175,7 @@ export class View implements PointerTarget {
   /** Works with a tool, or selects again. */
   use(tool: Tool | null): void {
     if (this.tool) this.painter.over.remove(this.tool.drawn);
+    this.trace([]);
     if (tool) this.painter.over.add(tool.drawn);
     this.tool = tool;
     this.canvas.classList.toggle("working", tool !== null);
@@ -188,6 +200,12 @@ export class View implements PointerTarget {
     return this.groundUnder(new Raycaster(new Vector3(x, 1e4, z), new Vector3(0, -1, 0)), 0)?.y ?? 0;
   }
 
+  /** Draws a line over the picture, three numbers a point; none takes it away. */
+  trace(points: readonly number[]): void {
+    this.traced.show(points);
+    this.traced.place(this.toPixel);
+  }
+
   /** What a tool draws is another. */
   redraw = (): void => this.changed();
 
@@ -204,6 +222,11 @@ export class View implements PointerTarget {
     // Once more, since the browser takes what was drawn away.
     this.painter.refine(this.camera);
     return pngOf(this.canvas);
+  }
+
+  /** Draws what is shown at once as finely as at rest, as the mean of so many pictures. */
+  finely(pictures: number): void {
+    this.painter.finely(this.camera, pictures);
   }
 
   /** What was shown last. */
@@ -318,6 +341,7 @@ export class View implements PointerTarget {
     this.guides.dispose();
     this.painter.dispose();
     this.canvas.remove();
+    this.traced.element.remove();
     this.frameBox.remove();
   }
 
@@ -333,10 +357,20 @@ export class View implements PointerTarget {
   /** Asks for a picture; many askings make one. */
   private changed = (): void => {
     if (this.stop.signal.aborted) return; // a picture of a material that came after the view was closed
+    this.refining = false;
+    this.events.refining?.(1);
     clearTimeout(this.rest);
     this.rest = 0;
     cancelAnimationFrame(this.coming);
     this.coming = requestAnimationFrame(this.draw);
+  };
+
+  /** A picture of a material has come: what is on the screen stays as it is until it can be drawn as finely. */
+  private pictureCame = (): void => {
+    if (this.stop.signal.aborted || this.rest || (this.coming && !this.refining)) return; // it comes with what is drawn next
+    if (!this.seen) return this.changed();
+    this.painter.again();
+    if (!this.coming) this.startRefining();
   };
 
   private draw = (): void => {
@@ -348,6 +382,7 @@ export class View implements PointerTarget {
     this.coming = 0;
     const more = this.eyes.step();
     this.looked();
+    this.traced.place(this.toPixel);
     this.guides.scaleTo(this.camera, this.painter.pixelOf(this.camera, this.canvas.clientHeight));
     this.tool?.scaleTo(this.camera, this.painter.pixelOf(this.camera, this.canvas.clientHeight));
     this.painter.draw(this.camera);
@@ -366,15 +401,27 @@ export class View implements PointerTarget {
 
   private quiet = (): void => {
     this.rest = 0;
-    if (this.header && !this.coming) this.coming = requestAnimationFrame(this.refine);
+    if (!this.header || this.coming) return;
+    this.startRefining();
   };
+
+  private startRefining(): void {
+    // The sign that it becomes finer is on the screen before that keeps the machine busy.
+    this.events.refining?.(0);
+    this.refining = true;
+    this.coming = requestAnimationFrame(() => (this.coming = requestAnimationFrame(this.refine)));
+  }
 
   private refine = (): void => {
     if (this.held) {
       this.coming = 0;
+      this.refining = false;
       return;
     }
-    this.coming = this.painter.busy || this.painter.refine(this.camera) ? requestAnimationFrame(this.refine) : 0;
+    const more = this.painter.busy || this.painter.refine(this.camera);
+    this.coming = more ? requestAnimationFrame(this.refine) : 0;
+    this.refining = more;
+    this.events.refining?.(more ? this.painter.settled : 1);
   };
 
   private listen(): void {
@@ -433,7 +480,7 @@ export class View implements PointerTarget {
     void this.pictures.sky(sky).then((texture) => {
       if (sky !== this.sky) return;
       this.painter.shared.sky.value = texture;
-      this.changed();
+      this.pictureCame();
     });
   }
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+namespace frond {
+
+/// The folder of Frond, with templates/, povinc/ and presets/: $FROND_HOME, or the one above the program's
+/// own. Nobody has looked whether it holds them.
+std::filesystem::path home_folder();
+
+/// A preset that comes with Frond, by its path seen from the folder of Frond or from presets/ in it, with or
+/// without .json, or by the name of its file alone; of several of one name the first by their paths.
+/// Grammars, in presets/grammars, are none.
+std::optional<std::filesystem::path> shipped_preset(std::string_view name);
+
+}  // namespace frond

@@ -1,0 +1,40 @@
+#include "estimate/estimate_pictures.h"
+
+#include <algorithm>
+
+#include "settings/forest.h"
+#include "settings/meadow.h"
+#include "settings/settings.h"
+
+namespace frond {
+
+MaskCostEstimate estimate_masks(const Preset& preset) {
+  constexpr double kRead = 4;  // of a pixel, of four channels
+  MaskCostEstimate masks;
+  auto add = [&](const Mask& mask) {
+    if (mask.empty()) return;
+    auto pixels = static_cast<double>(mask.grey->size());
+    masks.held += kMaskHeld * pixels;
+    masks.read = std::max(masks.read, kRead * pixels);
+  };
+  add(preset.stage.block<Meadow>().lawn.map);
+  add(preset.stage.block<Forest>().moss_map);
+  add(preset.stage.snow.depth_map);
+  for (const Organism& organism : preset.organisms)
+    if (organism.sown) add(organism.sown->where.map);
+  return masks;
+}
+
+double estimate_resolving(const Preset& preset) {
+  constexpr double kSampleHeld = 220;  // of a raw sample: its light, what it shows, and where that is now
+  constexpr int kFrames = 9;           // raw ones that a frame is made of
+  const Film& film = preset.film;
+  if (!film.raw) return 0;
+  double samples = static_cast<double>(film.drawn_size()[0]) * film.drawn_size()[1];
+  // A still that is seen without a lens is made in bands, of a raw file that is held as it is.
+  if (film.frames == 1 && !preset.stage.camera.aperture && samples > kResolvedWhole)
+    return kSampleHeld * kResolvedWhole + 3 * samples;
+  return kSampleHeld * samples * std::min(film.frames, kFrames);
+}
+
+}  // namespace frond

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "export/maker.h"
+
+namespace frond {
+
+/// Draws the levels of detail that are pictures, after the materials have theirs: of an organism's leaves
+/// some sets of three pictures that cross, seen from the front, the side and above, each of a bough; at the
+/// last level one set of the whole.
+Errors add_crossed_levels(Maker& maker);
+
+}  // namespace frond

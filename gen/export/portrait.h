@@ -1,0 +1,58 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <vector>
+
+#include "core/bounds.h"
+#include "export/export_scene.h"
+#include "images/raster.h"
+
+namespace frond {
+
+/// Straight along a direction, which is across `right` and `up` toward the eye: what lies between two
+/// corners.
+struct PortraitView {
+  Vec3 right{1, 0, 0}, up{0, 1, 0};  ///< of length 1
+  Vec2 low{0}, high{1};              ///< metres along these
+  int wide = 256, high_pixels = 256;
+  int fine = 3;  ///< samples across a pixel
+};
+
+/// Rows from the top down.
+struct Portrait {
+  int wide = 0, high = 0;
+  std::vector<float> cover;   ///< the share of each pixel in which something is
+  std::vector<Vec3> light;    ///< linear, of what is there
+  std::vector<Vec3> normal;   ///< of what is there: to the right, up, to the eye
+  std::vector<float> leaves;  ///< the share of each pixel in which a leaf is seen
+
+  /// Shares of the whole picture.
+  double covered() const;
+  double leafy() const;
+};
+
+/// Some triangles of a part, or all of them if none are named.
+struct Sitter {
+  const ExportPart* part;
+  std::vector<std::uint32_t> triangles = {};
+};
+
+/// Draws parts of an exported scene in even light, with the pictures that they wear and open where these are.
+class Painter {
+ public:
+  explicit Painter(const ExportScene& exported) : scene_(exported) {}
+
+  Result<Portrait> portrait(std::span<const Sitter> sitters, const PortraitView& view);
+
+ private:
+  Result<const Raster*> picture(std::size_t index);
+
+  const ExportScene& scene_;
+  std::map<std::size_t, Raster> pictures_;
+};
+
+/// A view of a box from the side, so many radians round the vertical.
+PortraitView side_view(const Bounds& box, double turn, int pixels);
+
+}  // namespace frond

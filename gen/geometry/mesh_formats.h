@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/result.h"
+#include "geometry/polygon_mesh.h"
+
+namespace frond {
+
+/// A PLY file, ASCII or binary of either byte order: faces or strips of triangles over places, with normals,
+/// texture coordinates and colours of the places, if there are any.
+Result<PolygonMesh> read_ply_mesh(std::string_view bytes, const std::string& name);
+
+/// An STL file, ASCII or binary. Corners at the very same place are one; solids of a text are objects.
+Result<PolygonMesh> read_stl_mesh(std::string_view bytes, const std::string& name);
+
+/// A GLB file (binary glTF 2.0): all meshes of its scene where its nodes place them, at rest, with normals,
+/// texture coordinates, colours and materials. Meshes that are compressed by an extension are named in an
+/// error.
+Result<PolygonMesh> read_glb_mesh(std::string_view bytes, const std::string& name);
+
+}  // namespace frond

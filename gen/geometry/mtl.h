@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/polygon_mesh.h"
+
+namespace frond {
+
+/// Takes what an MTL text says of the materials that a mesh names: `Kd`, `d` or `Tr`, `map_Kd`.
+void take_mtl(std::string_view text, PolygonMesh& mesh);
+
+/// Reads the files that an OBJ file names, which lie in its folder or below it: those of its materials and
+/// their pictures. What is missing becomes a note. Appends their paths to `noted` and what they hold to
+/// `content`, where these are given.
+void read_materials(const std::filesystem::path& obj, PolygonMesh& mesh,
+                    std::vector<std::filesystem::path>* noted, std::string* content);
+
+}  // namespace frond

@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "geometry/byte_reader.h"
+#include "geometry/mesh_formats.h"
+#include "geometry/text_lines.h"
+
+namespace frond {
+
+namespace {
+
+/// Gathers triangles, whose corners share places.
+struct Gatherer {
+  PolygonMesh mesh;
+  std::map<std::tuple<double, double, double>, std::uint32_t> known;
+  std::uint32_t part = 0;
+
+  void add_corner(const DVec3& p) {
+    auto [place, fresh] =
+        known.try_emplace({p.x + 0.0, p.y + 0.0, p.z + 0.0}, static_cast<std::uint32_t>(mesh.place.size()));
+    if (fresh) mesh.place.push_back(p);
+    mesh.corner.push_back({place->second});
+  }
+  void add_face(std::size_t first, int line) {
+    auto count = static_cast<std::uint32_t>(mesh.corner.size() - first);
+    if (count >= 3) mesh.face.push_back({first, count, part, line});
+  }
+};
+
+Result<PolygonMesh> read_text(std::string_view text, const std::string& name) {
+  Gatherer made;
+  TextLines lines(text);
+  std::size_t first = 0;
+  while (lines.next()) {
+    std::string kind(lines.word());
+    for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (kind == "solid") made.part = made.mesh.part_of({.object = std::string(lines.others()), .group = {}});
+    if (kind == "outer") first = made.mesh.corner.size();
+    if (kind == "endloop") made.add_face(first, lines.number()), first = made.mesh.corner.size();
+    if (kind != "vertex") continue;
+    DVec3 at(0);
+    for (int i = 0; i < 3; ++i) {
+      std::optional<double> number = number_of(lines.word());
+      if (!number)
+        return Error{fmt::format("{}:{}", name, lines.number()),
+                     fmt::format("a vertex whose number {} is none; expected three finite numbers", i + 1)};
+      at[i] = *number;
+    }
+    made.add_corner(at);
+  }
+  return std::move(made.mesh);
+}
+
+Result<PolygonMesh> read_binary(std::string_view bytes, const std::string& name) {
+  constexpr std::size_t kHead = 80, kFacet = 50;
+  ByteReader reader(bytes);
+  reader.skip(kHead);
+  std::uint32_t count = reader.take<std::uint32_t>().value_or(0);
+  if (reader.left() / kFacet < count)
+    return Error{name, fmt::format("is an STL file that promises {} triangles and holds {}", count,
+                                   reader.left() / kFacet)};
+  Gatherer made;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    std::size_t first = made.mesh.corner.size();
+    reader.skip(3 * sizeof(float));  // its normal, which follows from the corners
+    for (int k = 0; k < 3; ++k) {
+      DVec3 at(0);
+      for (int axis = 0; axis < 3; ++axis) at[axis] = static_cast<double>(reader.take<float>().value_or(0));
+      if (!std::isfinite(glm::dot(at, at)))
+        return Error{name, fmt::format("triangle {} has a corner at no finite place", i)};
+      made.add_corner(at);
+    }
+    reader.skip(sizeof(std::uint16_t));
+    made.add_face(first, 0);
+  }
+  return std::move(made.mesh);
+}
+
+}  // namespace
+
+Result<PolygonMesh> read_stl_mesh(std::string_view bytes, const std::string& name) {
+  // A binary one may begin with the word of a text.
+  bool text = bytes.size() < 84 || bytes.substr(0, 1024).find("facet") != bytes.npos;
+  std::uint32_t count =
+      text && bytes.size() >= 84 ? ByteReader(bytes.substr(80)).take<std::uint32_t>().value_or(0) : 0;
+  if (count > 0 && bytes.size() == 84 + std::size_t{50} * count) text = false;
+  Result<PolygonMesh> mesh = text ? read_text(bytes, name) : read_binary(bytes, name);
+  if (mesh && mesh->face.empty()) return Error{name, "is an STL file without a triangle"};
+  return mesh;
+}
+
+}  // namespace frond

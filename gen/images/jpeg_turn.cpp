@@ -1,0 +1,76 @@
+#include "images/jpeg_turn.h"
+
+#include <cstdint>
+
+namespace frond {
+
+namespace {
+
+/// Numbers of a TIFF header and what follows it, in the order of bytes that it says; 0 beyond its end.
+class Tiff {
+ public:
+  explicit Tiff(std::string_view bytes) : bytes_(bytes), little_(bytes.starts_with("II")) {}
+
+  std::uint32_t number(std::size_t at, std::size_t size) const {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      std::size_t k = at + (little_ ? size - 1 - i : i);
+      value = value << 8 | (k < bytes_.size() ? static_cast<unsigned char>(bytes_[k]) : 0u);
+    }
+    return value;
+  }
+
+ private:
+  std::string_view bytes_;
+  bool little_;
+};
+
+constexpr std::uint32_t kOrientation = 0x0112;
+
+/// Of the data of an EXIF segment.
+int orientation_of(std::string_view tiff) {
+  constexpr std::size_t kEntry = 12;  // bytes
+  Tiff data(tiff);
+  std::size_t first = data.number(4, 4), count = data.number(first, 2);
+  for (std::size_t i = 0; i < count && first + 2 + kEntry * (i + 1) <= tiff.size(); ++i)
+    if (std::size_t entry = first + 2 + kEntry * i; data.number(entry, 2) == kOrientation)
+      return static_cast<int>(data.number(entry + 8, 2));
+  return 1;
+}
+
+}  // namespace
+
+int jpeg_turn(std::string_view bytes) {
+  constexpr std::string_view kExif("Exif\0\0", 6);
+  // Segments of a marker and a length, up to where the picture begins.
+  for (std::size_t at = 2; at + 4 <= bytes.size() && bytes[at] == '\xff';) {
+    auto byte = [&](std::size_t i) { return static_cast<std::size_t>(static_cast<unsigned char>(bytes[i])); };
+    std::size_t marker = byte(at + 1), length = byte(at + 2) << 8 | byte(at + 3);
+    if (marker == 0xda || length < 2) break;
+    std::string_view data = bytes.substr(at + 4, length - 2);
+    if (marker == 0xe1 && data.starts_with(kExif)) {
+      int turn = orientation_of(data.substr(kExif.size()));
+      return turn >= 1 && turn <= 8 ? turn : 1;
+    }
+    at += 2 + length;
+  }
+  return 1;
+}
+
+Raster turned(const Raster& from, int turn) {
+  if (turn <= 1) return from;
+  bool lies = turn > 4;  // columns are rows
+  Raster to(lies ? from.height : from.width, lies ? from.width : from.height, from.channels);
+  bool right = turn == 2 || turn == 3 || turn == 7 || turn == 8;  // x runs from the right
+  bool below = turn == 3 || turn == 4 || turn == 6 || turn == 7;  // y runs from below
+  for (int y = 0; y < to.height; ++y)
+    for (int x = 0; x < to.width; ++x) {
+      int i = lies ? y : x, k = lies ? x : y;
+      if (right) i = from.width - 1 - i;
+      if (below) k = from.height - 1 - k;
+      for (int c = 0; c < from.channels; ++c) to.data[to.index(x, y, c)] = from.at(i, k, c);
+    }
+  return to;
+}
+
+}  // namespace frond

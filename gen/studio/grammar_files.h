@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "studio/answers.h"
+#include "studio/documents.h"
+
+// Grammars that stand in files of their own, which a preset names as `grammar.file`: models of cpfg, of
+// several files, and rules of LParser and Houdini.
+namespace frond {
+
+/// The files that a grammar is read from, that itself first; below its folder. Where it cannot be read, those
+/// beside it that have its name.
+std::vector<std::filesystem::path> files_of_grammar(const std::filesystem::path& grammar);
+
+/// Copies a grammar's files below a folder, some with other texts (by their paths below the grammar's
+/// folder); its new name there. A model of several files gets a folder of its own, where all keep their
+/// names. What is there already is taken as it is.
+Result<std::string> put_grammar(const std::filesystem::path& folder, const std::filesystem::path& grammar,
+                                const std::map<std::string, std::string>& texts = {});
+
+/// What is in the files of the grammar `file`, and, of a model of cpfg, its word after `steps`:
+/// see docs/studio-wire.md.
+Answer grammar_files(const Documents& documents, const Json& question);
+
+/// Writes a grammar beside the presets that is `file` with another `text` of the file `name`. Nothing is
+/// written where it could not be read then: the answer says why.
+Answer changed_grammar(const Documents& documents, const Json& question);
+
+}  // namespace frond

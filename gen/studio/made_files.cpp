@@ -1,0 +1,54 @@
+#include "studio/made_files.h"
+
+#include <algorithm>
+
+#include "core/files.h"
+
+namespace frond {
+
+namespace fs = std::filesystem;
+
+void MadeFiles::add(const std::string& name, const fs::path& of) {
+  std::lock_guard lock(in_work_);
+  std::erase_if(made_, [&](const Made& made) { return made.name == name; });
+  made_.push_back({name, of, {}});
+}
+
+void MadeFiles::saved(const fs::path& of, const std::string& text) {
+  std::lock_guard lock(in_work_);
+  std::erase_if(made_, [&](const Made& made) { return text.find(made.name) != text.npos; });
+  for (Made& made : made_)
+    if (made.of == of && made.held.empty()) remove(made);
+}
+
+void MadeFiles::remove(Made& made) const {
+  const fs::path path = folder_ / made.name;
+  std::error_code error;
+  std::vector<fs::path> files{path};
+  if (fs::is_directory(path, error)) files = files_below(path);
+  for (const fs::path& file : files) {
+    if (!fs::is_regular_file(file, error)) continue;
+    // What could not be put back is not taken away.
+    Result<std::string> held = read_file(file);
+    if (!held || !fs::remove(file, error)) continue;
+    made.held.emplace_back(file, std::move(*held));
+  }
+  std::ranges::reverse(files);
+  for (const fs::path& folder : files)
+    if (fs::is_directory(folder, error)) fs::remove(folder, error);  // an empty one
+  if (fs::is_directory(path, error)) fs::remove(path, error);
+}
+
+void MadeFiles::restore(const std::string& text) {
+  std::lock_guard lock(in_work_);
+  for (Made& made : made_) {
+    if (made.held.empty() || text.find(made.name) == text.npos) continue;
+    for (const auto& [file, content] : made.held) {
+      std::error_code error;
+      if (!fs::exists(file, error)) (void)write_file(file, content);
+    }
+    made.held.clear();
+  }
+}
+
+}  // namespace frond

@@ -1,0 +1,192 @@
+// Levels of detail, and what stands in for leaves.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "export/foliage.h"
+#include "export/formats.h"
+#include "export/portrait.h"
+#include "exported.h"
+
+namespace frond {
+namespace {
+
+/// A small one, which takes a moment.
+const Scene& tree(const std::string& name) {
+  static std::map<std::string, Scene> grown;
+  auto at = grown.find(name);
+  if (at == grown.end())
+    at =
+        grown.emplace(name, scene_of_file("presets/trees/" + name + ".json", {"/organisms/0/years=9"})).first;
+  return at->second;
+}
+
+ExportScene exported_of(const Scene& scene, ExportOptions options) {
+  options.bake.home = FROND_ROOT;
+  Result<ExportScene> made = export_scene(scene, 0, options);
+  EXPECT_TRUE(made) << made.errors()[0].text();
+  return std::move(*made);
+}
+
+/// What a level of detail adds up to.
+struct Level {
+  std::vector<const ExportPart*> parts;
+  Bounds box;
+  double triangles = 0, leaves = 0, longest = 0;      // leaves: m2 of their triangles
+  std::array<double, 8> silhouette{}, seen_leaves{};  // m2, from as many sides
+};
+
+Level level_of(const ExportScene& exported, std::size_t number, const Bounds* frame = nullptr) {
+  Level level;
+  for (const ExportMesh& mesh : exported.meshes)
+    if (mesh.has_level(number))
+      for (const ExportPart& part : number == 0 ? mesh.parts : mesh.coarser[number - 1])
+        level.parts.push_back(&part);
+  std::vector<Sitter> sitters;
+  for (const ExportPart* part : level.parts) {
+    sitters.push_back({part});
+    for (const Vec3& p : part->surface.position) level.box.take(p);
+    level.triangles += static_cast<double>(part->surface.triangle.size());
+    if (!exported.materials[part->material].leaf) continue;
+    level.leaves += area(part->surface);
+    level.longest = std::max(level.longest, longest_edge(part->surface));
+  }
+  Painter painter(exported);
+  for (std::size_t k = 0; k < 8; ++k) {
+    PortraitView view = side_view(frame ? *frame : level.box, 2 * kPi * static_cast<double>(k) / 8, 240);
+    view.fine = 2;
+    Result<Portrait> portrait = painter.portrait(sitters, view);
+    EXPECT_TRUE(portrait);
+    Vec2 size = view.high - view.low;
+    level.silhouette[k] = portrait->covered() * static_cast<double>(size.x * size.y);
+    level.seen_leaves[k] = portrait->leafy() * static_cast<double>(size.x * size.y);
+  }
+  return level;
+}
+
+double sum(const std::array<double, 8>& sides) { return std::accumulate(sides.begin(), sides.end(), 0.0); }
+
+/// How far two boxes are apart, as a share of the longest side of the first.
+double apart(const Bounds& a, const Bounds& b) {
+  Vec3 most = glm::max(glm::abs(a.low - b.low), glm::abs(a.high - b.high));
+  return static_cast<double>(std::max({most.x, most.y, most.z}) / a.longest());
+}
+
+class LevelsOf : public testing::TestWithParam<std::tuple<const char*, int, double>> {};
+
+TEST_P(LevelsOf, keep_the_box_the_silhouette_and_the_leaves_of_the_first) {
+  auto [name, texture, detail] = GetParam();
+  ExportScene exported = exported_of(tree(name), {.detail = detail, .texture = texture, .levels = 4});
+  Level first = level_of(exported, 0);
+  ASSERT_GT(first.leaves, 0);
+  double before = first.triangles;
+  for (std::size_t number = 1; number < 4; ++number) {
+    Level level = level_of(exported, number, &first.box);
+    std::string what = fmt::format("{} with {} pixels, level {}", name, texture, number);
+    double most = number == 1 ? 0.1 : 0.25,
+           side = number == 1 ? 0.1 : 0.3;  // of the mean, of each of the eight
+    printf("%s: %.0f of %.0f triangles, box %.3f, silhouette %.3f, leaves seen %.3f, area %.3f, edge %.2f\n",
+           what.c_str(), level.triangles, first.triangles, apart(first.box, level.box),
+           sum(level.silhouette) / sum(first.silhouette), sum(level.seen_leaves) / sum(first.seen_leaves),
+           level.leaves / first.leaves, level.longest / first.longest);
+    EXPECT_LT(apart(first.box, level.box), 0.03) << what;
+    EXPECT_LT(level.triangles, before * 1.001) << what;
+    before = level.triangles;
+    for (std::size_t k = 0; k < 8; ++k)
+      EXPECT_NEAR(level.silhouette[k] / first.silhouette[k], 1, side) << what << ", side " << k;
+    EXPECT_NEAR(sum(level.silhouette) / sum(first.silhouette), 1, most) << what;
+    if (texture > 0) continue;
+    EXPECT_NEAR(level.leaves / first.leaves, 1, 0.1) << what;
+    EXPECT_LT(level.longest, 2.6 * first.longest) << what;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Trees, LevelsOf,
+                         testing::Values(std::tuple{"birch", 0, 2.5e5}, std::tuple{"birch", 128, 2.5e5},
+                                         std::tuple{"spruce", 0, 2.5e5}, std::tuple{"spruce", 128, 4e4},
+                                         std::tuple{"oak", 128, 8000.0}));
+
+TEST(LevelsOfATree, end_in_pictures_of_the_whole_that_cross) {
+  ExportScene exported = exported_of(tree("birch"), {.texture = 128, .levels = 4});
+  Level last = level_of(exported, 3);
+  EXPECT_EQ(last.triangles, 6);
+  ASSERT_EQ(last.parts.size(), 1u);
+  const ExportMaterial& material = exported.materials[last.parts[0]->material];
+  EXPECT_TRUE(material.cutout && material.leaf);
+  ASSERT_NE(material.colors, kNoPicture);
+  ASSERT_NE(material.normals, kNoPicture);
+  EXPECT_EQ(level_triangles(exported).size(), 4u);
+  EXPECT_EQ(level_triangles(exported)[3], 6);
+  ASSERT_TRUE(glb_bytes(exported));
+}
+
+TEST(LevelsOfATree, thin_a_trunk_by_no_half) {
+  ExportScene exported = exported_of(tree("birch"), {.texture = 0, .levels = 4});
+  auto girth = [&](std::size_t number) {  // of what stands on the ground
+    Bounds foot;
+    for (const ExportMesh& mesh : exported.meshes)
+      if (mesh.name.ends_with("branches") && mesh.has_level(number))
+        for (const ExportPart& part : number == 0 ? mesh.parts : mesh.coarser[number - 1])
+          for (const Vec3& p : part.surface.position)
+            if (p.y < 0.3f) foot.take(p);
+    return foot.empty() ? 0 : foot.size().x;
+  };
+  for (std::size_t number = 1; number < 4; ++number)
+    EXPECT_GT(girth(number), 0.4f * girth(0)) << number << ", which has no root flare";
+}
+
+TEST(LeavesWithoutPictures, are_no_cards_and_keep_their_area_and_gaps) {
+  std::vector<double> leaves, silhouettes;
+  for (double detail : {1e9, 1.5e4, 7e3}) {
+    ExportScene exported = exported_of(tree("birch"), {.detail = detail, .texture = 0});
+    for (const ExportMaterial& material : exported.materials) EXPECT_FALSE(material.cutout) << material.name;
+    Level level = level_of(exported, 0);
+    leaves.push_back(level.leaves), silhouettes.push_back(sum(level.silhouette));
+    printf("detail %g: %.0f triangles, leaves %.2f m2, silhouettes %.2f m2\n", detail, level.triangles,
+           leaves.back(), silhouettes.back());
+  }
+  for (std::size_t k = 1; k < leaves.size(); ++k) {
+    EXPECT_NEAR(leaves[k] / leaves[0], 1, 0.1);
+    EXPECT_NEAR(silhouettes[k] / silhouettes[0], 1, 0.1);
+  }
+}
+
+/// How many metres a unit of v takes, at the share of triangles that have less.
+double metres_a_unit(const std::vector<double>& sorted, double share) {
+  return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+}
+
+TEST(Bark, repeats_along_twigs_as_far_as_along_the_trunk) {
+  for (const char* name : {"presets/trees/oak.json", "presets/aspen.json"}) {
+    std::vector<std::string> sets;
+    if (std::string(name).ends_with("oak.json")) sets = {"/organisms/0/years=12"};
+    ExportScene exported = exported_of(scene_of_file(name, sets), {.texture = 0});
+    std::vector<double> along;
+    for (const ExportMesh& mesh : exported.meshes) {
+      if (mesh.name.find("branches") == std::string::npos) continue;
+      for (const ExportPart& part : mesh.parts) {
+        const Surface& s = part.surface;
+        for (auto [a, b, c] : s.triangle) {
+          Vec2 p = s.uv[b] - s.uv[a], q = s.uv[c] - s.uv[a];
+          float turn = p.x * q.y - q.x * p.y;
+          if (std::abs(turn) < 1e-12f) continue;
+          Vec3 v = ((s.position[c] - s.position[a]) * p.x - (s.position[b] - s.position[a]) * q.x) / turn;
+          along.push_back(static_cast<double>(glm::length(v)));
+        }
+      }
+    }
+    ASSERT_GT(along.size(), 1000u) << name;
+    std::ranges::sort(along);
+    EXPECT_LT(metres_a_unit(along, 0.95) / metres_a_unit(along, 0.05), 2.2) << name;
+    EXPECT_LT(metres_a_unit(along, 0.98) / metres_a_unit(along, 0.02), 3) << name;
+  }
+}
+
+}  // namespace
+}  // namespace frond

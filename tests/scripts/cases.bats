@@ -1,0 +1,117 @@
+#!/usr/bin/env bats
+# Files as people bring them: pasted from pages, kept since DOS, of other programs. Each folder of tests/cases is one kind.
+
+bats_require_minimum_version 1.5.0
+
+setup() {
+  load common
+  frond=${FROND_BIN:-$BATS_TEST_DIRNAME/../../build/frond}
+  root=$(cd -- "$BATS_TEST_DIRNAME/../.." && pwd)
+  export FROND_HOME=$root
+  cases=$root/tests/cases
+  cd "$BATS_TEST_TMPDIR" || return
+}
+
+@test "a minus sign of a web page is named with its place and the sign that is meant" {
+  for file in fern_minus_only fern_pasted; do
+    run "$frond" turtle "$cases/02-unicode-paste/$file.json"
+    [ "$status" -eq 2 ]
+    [[ "$output" == *"/rules/0: column "*'`−` (U+2212) is not `-`, which is meant'* ]]
+  done
+  run "$frond" derive "$cases/02-unicode-paste/fern_greek.json" --steps 1
+  [ "$output" = 'F[+ω][-ω]' ]
+}
+
+@test "odd signs in an axiom are named, too" {
+  echo '{"axiom": "F−F", "rules": ["F -> FF"]}' > odd.json
+  run "$frond" derive odd.json
+  [ "$status" -eq 2 ]
+  [[ "$output" == *'axiom: column 2: `−` (U+2212) is not `-`'* ]]
+  echo '{"axiom": "F［+F］", "rules": ["F -> FF"]}' > odd.json
+  run "$frond" turtle odd.json
+  [ "$status" -eq 2 ]
+  [[ "$output" == *'axiom: column 2: `［` (U+FF3B) is not `[`'* ]]
+}
+
+@test "grammars of DOS days give the word of those of today" {
+  run --separate-stderr "$frond" derive "$cases/03-dos-lparser/BUSH.LS" --steps 2
+  [ "$status" -eq 0 ]
+  upper=$output
+  run --separate-stderr "$frond" derive "$cases/03-dos-lparser/bush.ls" --steps 2
+  [ "$output" = "$upper" ]
+  run --separate-stderr "$frond" derive "$cases/03-dos-lparser/bush5.ls" --steps 2
+  [ "$status" -eq 0 ]
+  [[ "$stderr" == *'line 5: `trope` of lsuss has no effect here'* ]]
+  five=$output
+  run --separate-stderr "$frond" derive "$cases/03-dos-lparser/bush5_spaces.ls" --steps 2
+  [ "$output" = "$five" ]
+  run "$frond" import "$cases/03-dos-lparser/BUSH.LS" -o bush.json
+  [ "$status" -eq 0 ]
+}
+
+@test "numbers of parameters that nothing rewrites are told with rule and column" {
+  run --separate-stderr "$frond" derive "$cases/04-arity-and-pairs/bare_axiom.json"
+  [[ "$stderr" == *'axiom: column 1: `A` has 0 parameters here and is rewritten with 1 (rule 1, column 1) only'* ]]
+  run --separate-stderr "$frond" derive "$cases/04-arity-and-pairs/two_and_three.json"
+  [[ "$stderr" == *'`B` has 2 parameters here and is rewritten with 3 (rule 1, column 1) or with 1 (rule 2, column 1) only'* ]]
+  run "$frond" derive "$cases/04-arity-and-pairs/pair.json"
+  [ "$status" -eq 2 ]
+  [[ "$output" == *"contexts"*"cpfg"* ]]
+  run "$frond" derive "$cases/04-arity-and-pairs/pair.l" --steps 1
+  [ "$output" = "S(30)S(60)" ]
+}
+
+@test "a division by zero is told of the rule that divides" {
+  for command in derive turtle; do
+    run "$frond" $command "$cases/04-arity-and-pairs/zero.json"
+    [ "$status" -eq 2 ]
+    [[ "$output" == *"/rules/0: "*"column 11: division by zero in"* ]]
+  done
+}
+
+@test "models of L-Py are named, whatever their files are called" {
+  for file in massart.lpy massart_renamed.l; do
+    run "$frond" derive "$cases/05-lpy-massart-ply/$file"
+    [ "$status" -eq 2 ]
+    [[ "$output" == *"L-Py"*"-->"* ]]
+  done
+  run "$frond" info "$cases/05-lpy-massart-ply/massart.json"
+  [[ "$output" == *"197 segments"* ]]
+}
+
+@test "a PLY is read to its last byte" {
+  run "$frond" export "$cases/05-lpy-massart-ply/massart_preset.json" -o tree.ply
+  [ "$status" -eq 0 ]
+  python3 "$cases/05-lpy-massart-ply/strict_ply.py" tree.ply
+}
+
+@test "in() of Houdini is refused with its place and the ways round" {
+  run "$frond" turtle "$cases/06-houdini-inside/dome_in.txt"
+  [ "$status" -eq 2 ]
+  [[ "$output" == *'line 6: column 6: `in` '*"x, y and z"*"colonized"*"?E"* ]]
+  run --separate-stderr "$frond" turtle "$cases/06-houdini-inside/dome_xyz.txt"
+  [ "$status" -eq 0 ]
+}
+
+@test "a measured skeleton is drawn as it was measured, and imported in metres" {
+  run --separate-stderr "$frond" turtle "$cases/07-swc-skeleton/vine.swc"
+  [ "$status" -eq 0 ]
+  [[ "$output" == *'"segments": 24,'* ]]
+  run "$frond" import "$cases/07-swc-skeleton/vine.swc" -o vine.json
+  [ "$status" -eq 0 ]
+  run "$frond" check vine.json
+  [ "$status" -eq 0 ]
+}
+
+@test "close nodes between long pieces make no knob" {
+  run "$frond" export "$cases/23-pov-close-nodes/cane.json" --sides 32 -o cane.obj
+  [ "$status" -eq 0 ]
+  python3 - cane.obj <<'P'
+import sys
+points = [tuple(map(float, line.split()[1:4])) for line in open(sys.argv[1]) if line.startswith("v ")]
+for axis in (0, 2):
+    low, high = min(p[axis] for p in points), max(p[axis] for p in points)
+    assert 0.196 < high < 0.204 and -0.204 < low < -0.196, (axis, low, high)
+assert max(p[1] for p in points) < 6.21, "runs past its end"
+P
+}
