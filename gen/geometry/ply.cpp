@@ -100,13 +100,7 @@ class PlyParser {
  private:
   std::string_view header_line() {
     ++line_;
-    std::string_view line = rest_.substr(0, rest_.find_first_of("\r\n"));
-    rest_.remove_prefix(line.size());
-    if (rest_.starts_with("\r\n"))
-      rest_.remove_prefix(2);
-    else if (!rest_.empty())
-      rest_.remove_prefix(1);
-    return line;
+    return take_line(rest_);
   }
 
   std::string read_header() {

@@ -10,6 +10,17 @@
 
 namespace frond {
 
+/// The first line of a text, without its end (CR, LF or both), which goes from the text with it.
+inline std::string_view take_line(std::string_view& text) {
+  std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+  text.remove_prefix(line.size());
+  if (text.starts_with("\r\n"))
+    text.remove_prefix(2);
+  else if (!text.empty())
+    text.remove_prefix(1);
+  return line;
+}
+
 /// The lines of a text that some program wrote: they end as on any system, the text may begin with a byte
 /// order mark and end at a Ctrl-Z, what follows a `#` is left out, and a line that ends with a backslash goes
 /// on in the next.
@@ -64,12 +75,7 @@ class TextLines {
 
   std::string_view take() {
     ++last_;
-    std::string_view line = rest_.substr(0, rest_.find_first_of("\r\n"));
-    rest_.remove_prefix(line.size());
-    if (rest_.starts_with("\r\n"))
-      rest_.remove_prefix(2);
-    else if (!rest_.empty())
-      rest_.remove_prefix(1);
+    std::string_view line = take_line(rest_);
     return line.substr(0, line.find('#'));
   }
 
