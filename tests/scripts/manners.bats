@@ -23,18 +23,18 @@ setup() {
 }
 
 @test "a preset that is not there is looked for under all presets" {
-  run "$RENDER" oak.json
+  run "$RENDER" oka.json
   [ "$status" -eq 2 ]
-  [[ $output == 'error: oak.json: no such preset; did you mean "'*'presets/trees/oak.json"?' ]]
+  [[ $output == 'error: oka.json: no such preset; did you mean "'*'presets/trees/oak.json"?' ]]
   cd "$ROOT"
-  for row in "oak presets/trees/oak.json" "presets/Oak.json presets/trees/oak.json" "birhc presets/trees/birch.json" \
+  for row in "oka presets/trees/oak.json" "presets/Oak.json presets/trees/oak.json" "birhc presets/trees/birch.json" \
     "brick-wall presets/ivy/brick_wall.json"; do
     run "$RENDER" "${row% *}"
     echo "$row: $output"
     [ "$output" = "error: ${row% *}: no such preset; did you mean \"${row#* }\"?" ]
   done
-  run "$RENDER" bush
-  [ "$output" = 'error: bush: no such preset; did you mean "presets/bush.json" or "presets/garden/bush.json"?' ]
+  run "$RENDER" bosh
+  [ "$output" = 'error: bosh: no such preset; did you mean "presets/bush.json" or "presets/garden/bush.json"?' ]
   run "$RENDER" nothing_of_the_kind
   [ "$output" = "error: nothing_of_the_kind: no such preset" ]
 }

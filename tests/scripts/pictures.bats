@@ -206,9 +206,9 @@ color() { ffmpeg -nostdin -loglevel error -f lavfi -i "color=$1:s=${3:-64x48},fo
     [[ $output == *"${row#*|}"* ]]
     [ ! -e none/sheet.png ]
   done
-  run "$RENDER" oak --contact-seeds 4
+  run "$RENDER" oka --contact-seeds 4
   [ "$status" -eq 2 ]
-  [[ $output == *"oak: no such preset; did you mean "* ]]
+  [[ $output == *"oka: no such preset; did you mean "* ]]
 }
 
 @test "each K-th frame comes first, and the film can be seen meanwhile" {

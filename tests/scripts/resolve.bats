@@ -1,5 +1,7 @@
 # Films that are resolved from raw frames, and passes, by POV-Ray itself.
 
+bats_require_minimum_version 1.5.0
+
 setup() {
   load common
   begin_with_a_film
@@ -67,7 +69,7 @@ error_of() {
 }
 
 @test "passes are OpenEXR, a file a frame" {
-  run "$FROND_BIN" passes film.json --frames 2-3 --albedo -o passes
+  run --separate-stderr "$FROND_BIN" passes film.json --frames 2-3 --albedo -o passes
   echo "$output"
   [ "$status" -eq 0 ]
   [ "$output" = $'passes/frame_0002.exr\npasses/frame_0003.exr' ]
