@@ -115,10 +115,16 @@ Errors refuse_folder(const fs::path& folder) {
   std::error_code error;
   fs::path there = fs::absolute(folder, error).lexically_normal();
   if (!there.has_filename()) there = there.parent_path();
+  const fs::path asked = there;
   while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
-  if (!fs::is_directory(there, error)) return {{there.string(), "is a file; expected a folder, or none"}};
-  if (::access(there.c_str(), W_OK) != 0) return {{there.string(), "cannot be written to"}};
-  return {};
+  std::string wrong;
+  if (!fs::is_directory(there, error))
+    wrong = "is a file; expected a folder, or none";
+  else if (::access(there.c_str(), W_OK) != 0)
+    wrong = "cannot be written to";
+  if (wrong.empty()) return {};
+  if (there != asked) wrong = fmt::format("the folder cannot be made: {} {}", there.string(), wrong);
+  return {{folder.string(), wrong}};
 }
 
 Errors refuse_file(const fs::path& file) {

@@ -271,7 +271,7 @@ SH
   run "$RENDER" wrong.json
   [ "$status" -eq 2 ]
   [[ $output == *wrong.json:1:*framse* ]]
-  run "$RENDER" reef.json
+  run "$RENDER" reff.json
   [ "$status" -eq 2 ]
   [[ $output == *presets/reef.json* ]]
 }
