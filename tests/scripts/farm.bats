@@ -162,8 +162,12 @@ a_task_waits() { [ -s waits ]; }
 }
 
 @test "wrong input is told before anything is begun" {
-  for row in "--chunk 0|--chunk needs a number" "--hosts a;b|--hosts needs names" "--size 3|--size" "--frames 5-9|--frames" \
-    "--nonsense|no such option of frond farm" "--site nosuch.json|nosuch.json" "--status|no film was handed"; do
+  run "$FARM" film.json --hosts 'a;b'
+  [ "$status" -eq 2 ]
+  [[ $output == *"--hosts needs names"* ]]
+  for row in "--chunk 0|--chunk needs a number" "--hosts a|--hosts does not go with --openjd" "--size 3|--size" \
+    "--frames 5-9|--frames" "--nonsense|no such option of frond farm" "--site nosuch.json|nosuch.json" \
+    "--status|no film was handed"; do
     # shellcheck disable=SC2086
     run "$FARM" film.json --openjd job.json ${row%|*}
     echo "$row: $status $output"

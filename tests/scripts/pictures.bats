@@ -269,7 +269,7 @@ SH
   [[ $output == *"frame_0002.png is damaged"*"there is no picture of it" ]]
   run "$RENDER" film.json --why 7
   [ "$status" -eq 2 ]
-  [[ $output == *"frame 7 is none of this film" ]]
+  [[ $output == *"--why: 7 is no frame of this film; expected 1-6" ]]
   [ "$(count_rendered)" -le 18 ]
 }
 
