@@ -1,6 +1,7 @@
 #include "creeping/hang.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -31,6 +32,12 @@ std::optional<DVec3> hindrance(Chain& chain, const Host& host, std::size_t i, co
     if (near && room < 0.98 * chain.lift) {
       if (room < 1e-6 * chain.lift) return -offset;
       return (to - near->point) * (chain.lift / room - 1);
+    }
+    if (chain.outside) {
+      // No face is in the way of what slips in through a hole. Near one it is watched at each turn.
+      BacksSeen backs = backs_seen(host, to);
+      if (backs.share > kBehind) return backs.out * (0.1 * chain.link + chain.lift);
+      if (backs.share > 0.1) room = std::min(room, std::max(0.25 * chain.link, chain.lift));
     }
     room = std::min(room, kSlope * height);
   }
@@ -64,6 +71,30 @@ bool place_link(Chain& chain, const Host& host, std::size_t i, const DVec3& at, 
 }
 
 }  // namespace
+
+BacksSeen backs_seen(const Host& host, const DVec3& place) {
+  if (host.closed()) return {};
+  constexpr int kDirections = 40;
+  static const std::array<DVec3, kDirections> directions = [] {
+    std::array<DVec3, kDirections> all;
+    for (int i = 0; i < kDirections; ++i) {  // evenly, along a spiral
+      double y = 1 - (2 * i + 1.0) / kDirections, turn = kPi * (3 - std::sqrt(5.0)) * i,
+             r = std::sqrt(1 - y * y);
+      all[i] = {r * std::cos(turn), y, r * std::sin(turn)};
+    }
+    return all;
+  }();
+  int backs = 0;
+  DVec3 out(0);
+  for (const DVec3& direction : directions) {
+    std::optional<Crossing> seen = host.crossing(place, place + direction * host.size());
+    bool back = seen && host.behind(seen->triangle, -seen->normal) && glm::dot(seen->normal, direction) > 0;
+    backs += back;
+    out += back ? -direction : direction;
+  }
+  double length = glm::length(out);
+  return {static_cast<double>(backs) / kDirections, length > 0 ? out / length : DVec3(0, 1, 0)};
+}
 
 bool lengthen(Chain& chain, const Host& host, const DVec3& direction, const DVec3& curl) {
   assert(std::abs(glm::length(direction) - 1) < 1e-6);

@@ -11,6 +11,7 @@ struct Chain {
   double link = 0.02;                    ///< metres
   double stiffness = 0.1;                ///< metres that it stands out before it bends under its own weight
   double lift = 0.003;                   ///< metres that it keeps from the host
+  bool outside = false;                  ///< keeps out of what lies behind open parts, see backs_seen()
   const GroundHeight* ground = nullptr;  ///< from which it keeps the same distance
   std::vector<DVec3> place;              ///< ends of the links
   std::vector<DVec3> curl;               ///< turn of each link against the one before when it bears no weight
@@ -20,6 +21,15 @@ struct Chain {
 
   double length() const { return link * static_cast<double>(place.size()); }
 };
+
+/// How much of what is seen from a place, of all directions, are backs of the host's open parts: in the plane
+/// of a hole of a scan half, farther within it more, far behind an open sheet almost half.
+struct BacksSeen {
+  double share = 0;
+  DVec3 out{0};  ///< of length 1: where fewest are
+};
+BacksSeen backs_seen(const Host& host, const DVec3& place);
+inline constexpr double kBehind = 0.4;  ///< the share from which a place lies behind
 
 /// Appends a link in a direction (of length 1), or beside it where the host is in the way. False, with
 /// nothing appended, where there is no room.

@@ -64,7 +64,7 @@ void turn_back(Tip& tip, Seed draw) {
   tip.tread.heading = turned(tip.tread.heading, tip.tread.normal, angle);
 }
 
-void let_go(Tip& tip, const GroundHeight& ground, const Crawl& crawl) {
+void let_go(Tip& tip, const Host& host, const GroundHeight& ground, const Crawl& crawl) {
   assert(!tip.hangs);
   tip.hangs = true;
   tip.chain = Chain{};
@@ -73,6 +73,9 @@ void let_go(Tip& tip, const GroundHeight& ground, const Crawl& crawl) {
   tip.chain.link = crawl.speed;
   tip.chain.stiffness = crawl.stiffness;
   tip.chain.lift = 0.5 * crawl.radius;
+  // At the rim of a hole half of all is behind.
+  constexpr double kWithin = 0.75;
+  tip.chain.outside = !crawl.backs && !host.closed() && backs_seen(host, tip.tread.place).share < kWithin;
   if (ground) tip.chain.ground = &ground;
 }
 
@@ -108,13 +111,13 @@ void creep(Tip& tip, const Host& host, const GroundHeight& ground, const Crawl& 
     if (overhang ||
         (s.footing == Footing::edge && tip.calm > 3 * crawl.speed && falls_away(host, tip, crawl))) {
       tip.calm = 0;
-      if (draw.child(8 + strides).unit() < crawl.let_go) return let_go(tip, ground, crawl);
+      if (draw.child(8 + strides).unit() < crawl.let_go) return let_go(tip, host, ground, crawl);
     }
     if (s.footing == Footing::edge && !crawl.backs && host.behind(s.tread.triangle, s.tread.normal) &&
         !host.behind(tip.tread.triangle, tip.tread.normal)) {
       // A rim: hang over it or turn away.
       Seed rim = draw.child(64 + strides);
-      if (rim.child(1).unit() < crawl.let_go) return let_go(tip, ground, crawl);
+      if (rim.child(1).unit() < crawl.let_go) return let_go(tip, host, ground, crawl);
       double angle = rim.child(2).range(0.5 * kPi, kPi) * (rim.child(3).unit() < 0.5 ? -1 : 1);
       tip.tread.heading = turned(tip.tread.heading, tip.tread.normal, angle);
       if (tip.laid.empty()) block(tip, crawl, End::stuck);

@@ -258,8 +258,8 @@ class Writer {
     if (frames > 1)
       text += fmt::format(
           "#macro {0}_Loop(Seed, Time)\n"
-          "  #local Frond_Frame = mod(int((Time - {3})*{4} + 0.5 + 1e-6) + {2}*1000, {2});\n"
-          "  {0}_Shape(mod(abs(int(Seed)), {1}), 0, Frond_Frame)\n"
+          "  #local Frond_Frame = floor((Time - {3})*{4} + 0.5 + 1e-6);\n"
+          "  {0}_Shape(mod(abs(int(Seed)), {1}), 0, Frond_Frame - {2}*floor(Frond_Frame/{2}))\n"
           "#end\n",
           name, variants_.size(), frames, number_text(time_of(0)), number_text(variants_[0].scene.film.fps));
     auto corner = [](Vec3 p) {

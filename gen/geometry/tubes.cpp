@@ -81,7 +81,7 @@ class Tube {
       if (k > 0) along += lengths_[k];
       ring(k, along / pattern);
     }
-    stitch(start);
+    stitch(start, pattern);
     node_.resize(out_.position.size(), nodes_.back());  // those of the tip
   }
 
@@ -176,7 +176,7 @@ class Tube {
     }
   }
 
-  void stitch(std::uint32_t start) {
+  void stitch(std::uint32_t start, double pattern) {
     auto n = static_cast<std::uint32_t>(sides_) + 1, rings = static_cast<std::uint32_t>(nodes_.size());
     for (std::uint32_t k = 0; k + 1 < rings; ++k) {
       for (std::uint32_t s = 0; s + 1 < n; ++s) {
@@ -188,13 +188,14 @@ class Tube {
     // The end is closed by a point a little farther on, which has the place on the picture of each side.
     std::uint32_t last = start + (rings - 1) * n;
     std::int32_t node = nodes_.back();
-    Quat turn = turn_.empty() ? Quat(1, 0, 0, 0) : turn_[node];
-    Vec3 axis = turn * axes_.back();
+    float beyond = radius_[node] * 0.6f;
+    Vec2 on(0, beyond / static_cast<float>(pattern));
+    Vec3 axis = turn_.empty() ? axes_.back() : turn_[node] * axes_.back();
     auto tip = static_cast<std::uint32_t>(out_.position.size());
     for (std::uint32_t s = 0; s + 1 < n; ++s) {
-      out_.position.push_back(position_[node] + axis * radius_[node] * 0.6f);
+      out_.position.push_back(position_[node] + axis * beyond);
       out_.normal.push_back(axis);
-      out_.uv.push_back((out_.uv[last + s] + out_.uv[last + s + 1]) * 0.5f);
+      out_.uv.push_back((out_.uv[last + s] + out_.uv[last + s + 1]) * 0.5f + on);
       out_.triangle.push_back({last + s, last + s + 1, tip + s});
     }
   }
@@ -248,7 +249,7 @@ class Closer {
     Vec3 side = -any_normal(along);
     first_ring_ = true;
     // The foot lies in what it grows from: a flat cone closes it.
-    pole(line.at[0] - along * (0.5f * line.radius[0]), -along, line, 0);
+    pole(line.at[0] - along * (0.5f * line.radius[0]), -along, line, 0, -1.118f * line.radius[0]);
     for (std::size_t i = 0; i < line.at.size(); ++i) {
       if (i > 0) side = carried_normal(side, line.at[i] - line.at[i - 1], line.along[i - 1], line.along[i]);
       std::size_t from = i > 0 ? i - 1 : i, to = std::min(i + 1, line.at.size() - 1);
@@ -262,9 +263,9 @@ class Closer {
     for (int r = 1; r <= kCapRings; ++r) {
       auto turn = static_cast<float>(kPi / 2 * r / (kCapRings + 1));
       ring(tip + end * (radius * std::sin(turn)), end, side, radius * std::cos(turn), std::tan(turn), line,
-           last, radius * std::sin(turn));
+           last, radius * turn);
     }
-    close(tip + end * radius, end, line, last);
+    close(tip + end * radius, end, line, last, radius * static_cast<float>(kPi / 2));
   }
 
  private:
@@ -303,16 +304,16 @@ class Closer {
   }
 
   /// The vertices of a pole, one for each side, so that each has its place on the texture.
-  std::uint32_t pole(Vec3 at, Vec3 normal, const Line& line, std::size_t i) {
+  std::uint32_t pole(Vec3 at, Vec3 normal, const Line& line, std::size_t i, float beyond) {
     auto start = static_cast<std::uint32_t>(mesh_.surface.position.size());
-    for (int k = 0; k < sides_; ++k)
-      vertex(at, normal, Vec2((static_cast<float>(k) + 0.5f) / static_cast<float>(sides_), line.distance[i]),
-             line.node[i]);
+    Vec2 uv(0.5f / static_cast<float>(sides_), line.distance[i] + beyond);
+    for (int k = 0; k < sides_; ++k, uv.x += 1.0f / static_cast<float>(sides_))
+      vertex(at, normal, uv, line.node[i]);
     return before_ = start;
   }
 
-  void close(Vec3 at, Vec3 normal, const Line& line, std::size_t i) {
-    std::uint32_t ring = before_, tip = pole(at, normal, line, i);
+  void close(Vec3 at, Vec3 normal, const Line& line, std::size_t i, float beyond) {
+    std::uint32_t ring = before_, tip = pole(at, normal, line, i, beyond);
     for (int k = 0; k < sides_; ++k) {
       auto step = static_cast<std::uint32_t>(k);
       triangle(ring + step, ring + step + 1, tip + step);

@@ -90,7 +90,9 @@ std::vector<GuidePoint> bent(const std::vector<GuidePoint>& points) {
       DVec3 control[] = {from.at, from.at + handle_of(from.out, from.in), p.at + handle_of(p.in, p.out),
                          p.at};
       for (int k = 1; k < kPieces; ++k) {
-        all.push_back({bezier_point(control, static_cast<double>(k) / kPieces), before});
+        double share = static_cast<double>(k) / kPieces;
+        all.push_back({bezier_point(control, share), before});
+        if (from.radius && p.radius) all.back().radius = *from.radius + (*p.radius - *from.radius) * share;
         before = static_cast<std::int32_t>(all.size()) - 1;
       }
     }
@@ -101,7 +103,7 @@ std::vector<GuidePoint> bent(const std::vector<GuidePoint>& points) {
 }
 
 void take_on(const GuidePoint& point, std::int32_t index, TurtleState& turtle) {
-  if (point.radius) turtle.width = 2 * *point.radius;
+  if (point.radius) turtle.width = 2 * *point.radius, turtle.width_here = -1;
   if (point.angle) turtle.angle = *point.angle;
   if (point.elasticity) turtle.elasticity = *point.elasticity;
   if (point.tropism) turtle.pull = index;
@@ -194,7 +196,11 @@ void lead(const Guide& guide, TurtleState& turtle, std::int32_t target) {
   turtle.target = target;
   head_for(turtle, offset);
   turtle.length = guide.leniency * distance;
-  if (point.radius) turtle.width += (2 * *point.radius - turtle.width) * std::min(1.0, guide.leniency);
+  if (!point.radius) return;
+  // The width is approached as the place is; what is drawn next begins as wide as the turtle is here.
+  if (!(distance > 0)) return void(turtle.width = 2 * *point.radius);
+  if (turtle.width_here < 0) turtle.width_here = turtle.width;
+  turtle.width += (2 * *point.radius - turtle.width) * std::min(1.0, guide.leniency);
 }
 
 std::span<const std::int32_t> follow(const Guide& guide, TurtleState& turtle) {

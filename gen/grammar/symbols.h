@@ -32,6 +32,7 @@ constexpr bool draws_line(Act act) {
 }
 constexpr bool goes_half(Act act) { return act == Act::draw_half || act == Act::move_half; }
 constexpr bool goes_forward(Act act) { return act >= Act::draw && act <= Act::move_half; }
+constexpr bool changes_width(Act act) { return act >= Act::narrow && act <= Act::divide_width; }
 constexpr bool changes_style(Act act) { return act >= Act::narrow && act <= Act::set_elasticity; }
 
 /// A symbol with a meaning for the turtle; every other symbol does nothing.

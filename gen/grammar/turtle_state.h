@@ -25,6 +25,14 @@ struct TurtleState {
   std::int32_t target = kNotLed;  ///< the guide point it goes to
   std::int32_t pull = -1;         ///< guide point whose tropism counts; -1: the grammar's
   double own_length = 1;          ///< its step before it was led
+  double width_here = -1;         ///< the width where it stands, if it is led to another one; else -1
+
+  /// The width with which a segment begins here; from now on it is that of all others.
+  double take_width() {
+    double here = width_here < 0 ? width : width_here;
+    width_here = -1;
+    return here;
+  }
 };
 
 /// A line that the turtle drew, before it moves on; widths are diameters.

@@ -5,6 +5,7 @@
 #include "creeping/crawl.h"
 #include "creeping/meshes.h"
 #include "creeping/swing.h"
+#include "winding.h"
 
 namespace frond {
 namespace {
@@ -96,6 +97,69 @@ TEST(Hang, OnlyWhatIsMarkedHangsAndItKeepsItsLength) {
   }
   EXPECT_GT(hung, 500u);
   EXPECT_GT(gripped, 3u);
+}
+
+/// A ball of 1 m without the faces near some places.
+Surface ball_with_holes(double hole) {
+  Surface whole = ball(1, 64, 48), s = whole;
+  s.triangle.clear();
+  for (auto t : whole.triangle) {
+    Vec3 middle = glm::normalize(whole.position[t[0]] + whole.position[t[1]] + whole.position[t[2]]);
+    bool missing = false;
+    for (Vec3 at : {Vec3(0, 1, 0.4f), Vec3(0.7f, 0.7f, 0.5f), Vec3(-0.6f, 0.5f, 0.7f), Vec3(0.1f, 0.1f, 1)})
+      missing |= glm::distance(middle, glm::normalize(at)) < hole;
+    if (!missing) s.triangle.push_back(t);
+  }
+  return s;
+}
+
+/// A front of a house as a scan from the street gives it: a sheet with sills and windows without panes.
+Surface front_of_a_house() {
+  Surface whole = sheet(80, 60, false, false, [](double u, double v) {
+    return Vec3(4 * u - 2, 3 * v, 0.06 * std::sin(9 * u) + (std::fmod(v, 0.34) > 0.28 ? 0.12 : 0.0));
+  });
+  Surface s = whole;
+  s.triangle.clear();
+  for (auto t : whole.triangle) {
+    Vec3 at = whole.position[t[0]];
+    float x = std::fmod(at.x + 2.0f, 1.0f), y = std::fmod(at.y, 1.02f);
+    if (!(x > 0.35f && x < 0.65f && y > 0.3f && y < 0.8f)) s.triangle.push_back(t);
+  }
+  set_normals(s);
+  return s;
+}
+
+TEST(Hang, NothingSlipsInThroughTheHolesOfAScan) {
+  struct Case {
+    const char* name;
+    Surface surface;
+    double least;  // winding number of what is behind
+  };
+  for (auto& [name, surface, least] :
+       {Case{"ball", ball_with_holes(0.12), 0.7}, Case{"large holes", ball_with_holes(0.35), 0.7},
+        Case{"scan", scanned(Seed{3}), 0.7}, Case{"front", front_of_a_house(), 0.45}}) {
+    SCOPED_TRACE(name);
+    Host host = built(surface);
+    ASSERT_FALSE(host.closed());
+    Crawl crawl;
+    crawl.let_go = 0.6;
+    crawl.max_age = 120;
+    double above = 0.3 * (host.high().y - host.low().y);
+    Strands s = grow_strands(host, starts_at_foot(host, 8, above, Vec3(0), Seed{2}), crawl, Seed{5});
+    std::size_t hung = 0, behind = 0, across = 0;
+    for (std::size_t i = 0; i < s.size(); ++i) {
+      if (!s.hanging[i]) continue;
+      ++hung;
+      DVec3 at(s.skeleton.position[i]);
+      behind += winding(host, at) > least;
+      std::int32_t below = s.skeleton.parent[i];
+      across += s.hanging[below] && host.crossing(DVec3(s.skeleton.position[below]), at);
+    }
+    printf("%s: %zu of %zu hanging nodes behind, %zu across\n", name, behind, hung, across);
+    EXPECT_GT(hung, 100u);
+    EXPECT_LE(behind, hung / 500);
+    EXPECT_EQ(across, 0u);
+  }
 }
 
 TEST(Swing, IsAFunctionOfTimeThatRepeatsAndKeepsLengths) {

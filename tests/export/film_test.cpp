@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "export/formats.h"
+#include "exported.h"
 
 // Exports that move, and their levels of detail.
 
@@ -127,6 +128,49 @@ TEST(Film, of_a_glb_is_an_animation_of_weights) {
     EXPECT_EQ(mesh["weights"].size(), 2u);
     for (const json& primitive : mesh["primitives"]) EXPECT_EQ(primitive["targets"].size(), 2u);
   }
+}
+
+TEST(Film, a_tree_in_the_wind_keeps_its_foot_and_closes_its_loop) {
+  Scene scene = scene_of_file("presets/trees/birch.json",
+                              {"/organisms/0/years=6", "/film/frames=24", "/film/fps=8",
+                               R"(/scene/wind={"speed": 7, "gusts": 0.3, "direction": [1, 0, 0.3]})"});
+  ExportOptions options{.detail = 3e4, .texture = 0};
+  constexpr int kKeys = 12;
+  for (int i = 0; i < kKeys; ++i) options.keys.push_back(scene.film.time(1 + 23 * i / (kKeys - 1)));
+  Result<ExportScene> exported = export_scene(scene, options.keys.back(), options);
+  ASSERT_TRUE(exported) << exported.errors()[0].text();
+  float top = 0, foot = 0, stem = 0, leaf = 0;
+  for (const ExportMesh& mesh : exported->meshes)
+    for (const ExportPart& part : mesh.parts)
+      for (const Vec3& p : part.surface.position) top = std::max(top, p.y);
+  std::vector<double> step(kKeys, 0);  // mean way to the next key; the last leads to the first
+  double count = 0;
+  for (const ExportMesh& mesh : exported->meshes) {
+    bool wood = mesh.name.find("branches") != std::string::npos;
+    for (const ExportPart& part : mesh.parts) {
+      ASSERT_EQ(part.shifts.size(), kKeys - 1u) << mesh.name;
+      for (std::size_t v = 0; v < part.surface.position.size(); ++v) {
+        auto at = [&](int key) { return key + 1 == kKeys ? Vec3(0) : part.shifts[key].position[v]; };
+        float height = part.surface.position[v].y, way = 0;
+        for (int key = 0; key < kKeys; ++key) {
+          step[key] += static_cast<double>(glm::distance(at(key), at((key + 1) % kKeys)));
+          way = std::max(way, glm::distance(at(key), at(0)));
+        }
+        ++count;
+        if (wood && height < 0.05f) foot = std::max(foot, way);
+        if (wood && height > 0.05f && height < 0.3f * top) stem = std::max(stem, way);
+        if (!wood) leaf = std::max(leaf, way);
+      }
+    }
+  }
+  for (double& s : step) s /= count;
+  printf("foot %.4f m, stem %.4f m, leaves %.4f m; steps of %.4f m, back to the first %.4f m\n",
+         static_cast<double>(foot), static_cast<double>(stem), static_cast<double>(leaf), step[0],
+         step.back());
+  EXPECT_LT(foot, 0.002f);
+  EXPECT_GT(leaf, 2 * stem);
+  EXPECT_GT(leaf, 0.01f);
+  EXPECT_LT(step.back(), 2 * *std::max_element(step.begin(), step.end() - 1));
 }
 
 TEST(Film, carries_bodies_that_grow_and_fish_that_swim) {

@@ -80,7 +80,8 @@ TEST(Include, LoopsBeginAnewAndTimesOutsideHold) {
   ASSERT_TRUE(text.ok());
   EXPECT_NE(text->find("max(0, min(2, int((Time - 1)*2 + 0.5)))"), std::string::npos);
   EXPECT_NE(text->find("#macro Frond_Reed_Loop(Seed, Time)"), std::string::npos);
-  EXPECT_NE(text->find("int((Time - 1)*2 + 0.5 + 1e-6) + 3*1000, 3)"), std::string::npos);
+  EXPECT_NE(text->find("floor((Time - 1)*2 + 0.5 + 1e-6);"), std::string::npos);
+  EXPECT_NE(text->find("Frond_Frame - 3*floor(Frond_Frame/3))"), std::string::npos);
   EXPECT_NE(text->find("// Frond_Reed_Loop(Seed, Time)"), std::string::npos) << "told in the head";
 }
 

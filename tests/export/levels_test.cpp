@@ -157,36 +157,5 @@ TEST(LeavesWithoutPictures, are_no_cards_and_keep_their_area_and_gaps) {
   }
 }
 
-/// How many metres a unit of v takes, at the share of triangles that have less.
-double metres_a_unit(const std::vector<double>& sorted, double share) {
-  return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
-}
-
-TEST(Bark, repeats_along_twigs_as_far_as_along_the_trunk) {
-  for (const char* name : {"presets/trees/oak.json", "presets/aspen.json"}) {
-    std::vector<std::string> sets;
-    if (std::string(name).ends_with("oak.json")) sets = {"/organisms/0/years=12"};
-    ExportScene exported = exported_of(scene_of_file(name, sets), {.texture = 0});
-    std::vector<double> along;
-    for (const ExportMesh& mesh : exported.meshes) {
-      if (mesh.name.find("branches") == std::string::npos) continue;
-      for (const ExportPart& part : mesh.parts) {
-        const Surface& s = part.surface;
-        for (auto [a, b, c] : s.triangle) {
-          Vec2 p = s.uv[b] - s.uv[a], q = s.uv[c] - s.uv[a];
-          float turn = p.x * q.y - q.x * p.y;
-          if (std::abs(turn) < 1e-12f) continue;
-          Vec3 v = ((s.position[c] - s.position[a]) * p.x - (s.position[b] - s.position[a]) * q.x) / turn;
-          along.push_back(static_cast<double>(glm::length(v)));
-        }
-      }
-    }
-    ASSERT_GT(along.size(), 1000u) << name;
-    std::ranges::sort(along);
-    EXPECT_LT(metres_a_unit(along, 0.95) / metres_a_unit(along, 0.05), 2.2) << name;
-    EXPECT_LT(metres_a_unit(along, 0.98) / metres_a_unit(along, 0.02), 3) << name;
-  }
-}
-
 }  // namespace
 }  // namespace frond

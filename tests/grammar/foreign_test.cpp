@@ -134,6 +134,32 @@ TEST(Foreign, SkeletonsAreDrawnAsTheyWereMeasured) {
   }
 }
 
+TEST(Foreign, AShapeThatAFormulaGivesStopsHoudinisGrowth) {
+  std::string text = case_text("06-houdini-inside/dome_xyz.txt");
+  const std::string premise = "premise: A(1)";
+  ASSERT_EQ(text.find(premise), 0u);
+  // From the foot, which lies on the ball itself, it would not grow at all.
+  text.replace(0, premise.size(), "premise: F(0.1)A(1)");
+  Result<GrammarText> dome = import_grammar("dome_xyz.txt", text);
+  ASSERT_TRUE(dome.ok()) << all(dome.errors());
+  Result<Grammar> grammar = compile(*dome);
+  ASSERT_TRUE(grammar.ok()) << all(grammar.errors());
+  std::vector<std::string> organs{"J"};
+  Result<Figure> figure = figure_of(*grammar, dome->steps, Seed{1}, {}, organs);
+  ASSERT_TRUE(figure.ok()) << all(figure.errors());
+  const Vec3 middle(0, 1.2f, 0);
+  const Skeleton& drawn = figure->skeleton;
+  std::vector<bool> bears(drawn.size());
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    EXPECT_LT(glm::distance(drawn.position[i], middle), 1.2f + 0.4f + 1e-5f);
+    if (drawn.parent[i] != Skeleton::kRoot) bears[static_cast<std::size_t>(drawn.parent[i])] = true;
+  }
+  EXPECT_LE(std::count(bears.begin(), bears.end(), false), 729);
+  EXPECT_GT(drawn.size(), 40u);
+  EXPECT_GT(figure->sites.size(), 20u);
+  for (const Site& leaf : figure->sites) EXPECT_GE(glm::distance(leaf.position, middle), 1.2f - 1e-5f);
+}
+
 TEST(Foreign, WhatIsWrongInASkeletonIsToldWithItsLine) {
   auto said = [](const std::string& text) {
     Result<GrammarText> import = import_skeleton(text);

@@ -195,6 +195,87 @@ TEST(Guide, PointsSetWhatTheTurtleDrawsWith) {
   EXPECT_GT(sink.last.x, -0.45);
 }
 
+/// The nodes that a grammar with a guide draws.
+Skeleton drawn_along(std::vector<GuidePoint> points, double leniency, const std::string& axiom,
+                     double width = 0.5) {
+  GrammarText text;
+  text.axiom = axiom;
+  text.steps = 0;
+  text.width = width;
+  text.guide.points = std::move(points);
+  text.guide.leniency = leniency;
+  text.guide.tolerance = 1e-6;
+  text.guide.reach_ends = true;
+  Grammar grammar = std::move(*compile(text));
+  return figure_of(grammar, grammar.axiom, Seed{1}).skeleton;
+}
+
+TEST(Guide, TheFirstPointKeepsItsRadius) {
+  std::vector<GuidePoint> line = {{.at = {0, 0, 0}, .radius = 0.06},
+                                  {.at = {0, 1, 0}, .parent = 0, .radius = 0.05},
+                                  {.at = {1, 2, 0}, .parent = 1, .radius = 0.02}};
+  Skeleton whole = drawn_along(line, 1, "?F?F");
+  ASSERT_EQ(whole.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_FLOAT_EQ(whole.radius[i], static_cast<float>(*line[i].radius));
+  // Half of the way has half of the change.
+  Skeleton half = drawn_along(line, 0.5, "?F");
+  EXPECT_FLOAT_EQ(half.radius[0], 0.06f);
+  EXPECT_FLOAT_EQ(half.radius[1], 0.055f);
+  // A first point that lies ahead is come to from the turtle's own width.
+  line[0].at = {0, -1, 0};
+  Skeleton ahead = drawn_along(line, 1, "?F?F?F", 0.14);
+  EXPECT_FLOAT_EQ(ahead.radius[0], 0.07f);
+  EXPECT_FLOAT_EQ(ahead.radius[1], 0.06f);
+  // What the grammar says behind the ? counts, and so does a move.
+  line[0].at = {0, 0, 0};
+  EXPECT_FLOAT_EQ(drawn_along(line, 1, "?!(0.2)F").radius[0], 0.1f);
+  EXPECT_FLOAT_EQ(drawn_along(line, 0.5, "?fF").radius[0], 0.055f);
+}
+
+TEST(Guide, EachOfSeveralFirstPointsKeepsItsRadius) {
+  std::vector<GuidePoint> stems = {{.at = {0, 0, 0}, .radius = 0.06},
+                                   {.at = {0, 1, 0}, .parent = 0, .radius = 0.03},
+                                   {.at = {0, 0, 2}, .radius = 0.04},
+                                   {.at = {0, 1, 2}, .parent = 2, .radius = 0.01}};
+  Skeleton drawn = drawn_along(stems, 1, "?f?F");
+  ASSERT_EQ(drawn.size(), 4u);
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    bool found = false;
+    for (const GuidePoint& stem : stems)
+      found |= glm::distance(drawn.position[i], Vec3(stem.at)) < 1e-6f &&
+               std::abs(drawn.radius[i] - static_cast<float>(*stem.radius)) < 1e-6f;
+    EXPECT_TRUE(found) << i << " is " << drawn.radius[i] << " thick";
+  }
+}
+
+TEST(Guide, BranchesAtAForkBeginAsThickAsIt) {
+  std::vector<GuidePoint> fork = {{.at = {0, 0, 0}, .radius = 0.06},
+                                  {.at = {1, 1, 0}, .parent = 0, .radius = 0.02},
+                                  {.at = {-1, 1, 0}, .parent = 0, .radius = 0.03}};
+  Skeleton drawn = drawn_along(fork, 1, "?F");
+  for (std::size_t i = 0; i < drawn.size(); ++i)
+    if (drawn.parent[i] == Skeleton::kRoot) {
+      EXPECT_FLOAT_EQ(drawn.radius[i], 0.06f);
+    }
+}
+
+TEST(Guide, CurvesBetweenPointsTaperEvenly) {
+  GuideText text;
+  text.points = {{.at = {0, 0, 0}, .out = DVec3(0, 1, 0), .radius = 0.06},
+                 {.at = {2, 2, 0}, .parent = 0, .in = DVec3(-1, 0, 0), .radius = 0.02}};
+  Guide guide = *guide_of(text);
+  ASSERT_GT(guide.points.size(), 6u);
+  double last = 0.06, most = 0;
+  for (const GuidePoint& point : guide.points) {
+    ASSERT_TRUE(point.radius);
+    EXPECT_LE(*point.radius, last);
+    most = std::max(most, last - *point.radius);
+    last = *point.radius;
+  }
+  EXPECT_DOUBLE_EQ(last, 0.02);
+  EXPECT_LT(most, 0.04 / 6);
+}
+
 TEST(Guide, SeveralFirstPointsMakeSeveralTurtles) {
   GrammarText text;
   text.axiom = "?FF";

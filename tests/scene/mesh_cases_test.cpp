@@ -7,6 +7,7 @@
 #include "core/files.h"
 #include "creeping/host.h"
 #include "scene/scene.h"
+#include "winding.h"
 
 // Ivy on meshes as people bring them.
 
@@ -83,6 +84,19 @@ TEST(MeshCases, IvyThatHoldsOnKeepsOutOfAScanWithHoles) {
       if (near.inside) deepest = std::max(deepest, depth);
     }
     EXPECT_LE(behind, strands.size() / 200) << strands.size() << " of which the deepest lies " << deepest;
+  }
+}
+
+TEST(MeshCases, IvyThatHangsKeepsOutOfAScanWithHoles) {
+  for (const char* file : {"boulder_be.ply", "boulder_ascii.ply", "boulder.obj"}) {
+    SCOPED_TRACE(file);
+    GrownCase grown = grown_case("21-ply-scan/boulder.json", {"/organisms/0/file=" + std::string(file)});
+    const auto& strands = grown.ivy().model.skeleton.position;
+    std::size_t behind = 0;
+    EXPECT_GT(strands.size(), 1000u);
+    for (std::size_t i = 0; i < strands.size(); i += 4)
+      behind += winding(grown.host, DVec3(strands[i])) > 0.75;
+    EXPECT_LE(behind, strands.size() / 2000) << "of " << strands.size() << ", of which each fourth is asked";
   }
 }
 

@@ -115,3 +115,12 @@ for axis in (0, 2):
 assert max(p[1] for p in points) < 6.21, "runs past its end"
 P
 }
+
+@test "a stem that turns back on itself has pieces as short as one likes" {
+  for smoothing in 1 3 8; do
+    run "$frond" generate "$cases/23-pov-close-nodes/kink.json" --set "/organisms/0/smoothing=$smoothing" -q -o "kink$smoothing"
+    [ "$status" -eq 0 ]
+    run grep -rniE '[<, ]-?(nan|inf)[,> ]' "kink$smoothing"
+    [ "$status" -eq 1 ]
+  done
+}

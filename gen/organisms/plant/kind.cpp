@@ -271,6 +271,12 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
     Surroundings around(world, planting.claim, placement);
     return grow_plant(params, seed, 1, environment_of(around, params.food, params.growth));
   }
+  /// Whose places are given stands where they say.
+  float copy_depth(const Model& model) const override {
+    const GrammarText& text = params.grammar;
+    bool placed = !text.guide.empty() || text.axiom.find("@M") != std::string::npos;
+    return placed ? 0 : LoneGrower::copy_depth(model);
+  }
   /// By steps it grows anew for each frame.
   std::function<Result<Model>(double)> develop(const Motion& motion, Seed seed) const override {
     if (!params.by_steps) return {};
