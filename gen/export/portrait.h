@@ -43,6 +43,9 @@ class Painter {
  public:
   explicit Painter(const ExportScene& exported) : scene_(exported) {}
 
+  /// What one of the scene's pictures shows, in place of its file.
+  void wear(std::size_t picture, Raster shown) { pictures_[picture] = std::move(shown); }
+
   Result<Portrait> portrait(std::span<const Sitter> sitters, const PortraitView& view);
 
  private:
