@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kFirstGrain = 1.0 / 6000, kCoarserGrain = 1.4;  // of its size, where branches are too many
 constexpr double kLastGrain = 0.05;
+constexpr double kRootTriangles = 40;  // of a root at the foot, at most
 constexpr double kMostStretch = 1.41;  // of a bark's height along a branch, and of its inverse
 
 /// Lets a bark go as far along twigs as along the trunk, within a factor of two; along its own circumference,
@@ -146,10 +147,16 @@ class Brancher {
     double first = size * (options_.pixels > 0 ? 1 / options_.pixels : kFirstGrain);
     auto grain_of = [&](double step) { return first * std::pow(kCoarserGrain, step - 1); };
     // Thin roots stay with the stem, as nodes of order 0 do: without them its foot would be half as wide.
+    // They are few, and taken from nothing: a stem of few triangles would become flat.
     Skeleton rooted = posed;
     std::vector<char> roots = roots_of(posed);
-    for (std::size_t i = 0; i < roots.size(); ++i)
-      if (roots[i]) rooted.order[i] = 0;
+    double room = 0;
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+      if (!roots[i]) continue;
+      rooted.order[i] = 0;
+      if (posed.parent[i] != static_cast<std::int32_t>(i) - 1 || !roots[i - 1]) room += kRootTriangles;
+    }
+    most_ += room, maker_.spare += room;
     auto thinner = [&](double step) {
       std::vector<std::int32_t> kept;
       auto grain = static_cast<float>(grain_of(step));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "export/foliage.h"
 #include "export/portrait.h"
 #include "export/sheet.h"
 #include "geometry/far.h"
@@ -15,7 +16,7 @@ namespace {
 
 constexpr int kViews = 3, kWholeViews = 4;             // of a bough, of a whole plant
 constexpr float kLeast = 0.75;                         // of its width, that a card of a whole plant keeps
-constexpr int kMeasured = 240;                         // pixels, of silhouettes
+constexpr std::array<double, 2> kFit = {0.85, 1.05};   // by which leaves are scaled, in one of two steps
 constexpr std::array<double, 2> kShares = {0.2, 1.5};  // of what portraits cover, that cards may show
 
 /// What one set of pictures shows.
@@ -195,20 +196,8 @@ void add_card(Surface& cards, const Side& side, Vec2 low, Vec2 high) {
 /// mean of all.
 Result<double> fitting_share(Maker& maker, std::span<const Sitter> shown, const Bounds& box,
                              const ExportPart& cards, const ExportMaterial& material, PictureSheet& sheet) {
-  auto seen = [&](Painter& painter, std::span<const Sitter> sitters) -> Result<double> {
-    double sum = 0;
-    for (int k = 0; k < 8; ++k) {
-      PortraitView view = side_view(box, k * kPi / 4, kMeasured);
-      view.fine = 2;
-      Result<Portrait> portrait = painter.portrait(sitters, view);
-      if (!portrait) return portrait.errors();
-      Vec2 size = view.high - view.low;
-      sum += portrait->covered() * static_cast<double>(size.x * size.y);
-    }
-    return sum;
-  };
   Painter first(maker.exported);
-  Result<double> wanted = seen(first, shown);
+  Result<double> wanted = silhouettes(first, shown, box);
   if (!wanted) return wanted.errors();
   ExportScene only;
   only.materials = {material};
@@ -220,7 +209,7 @@ Result<double> fitting_share(Maker& maker, std::span<const Sitter> shown, const 
     sheet.cut(share);
     Painter painter(only);
     painter.wear(0, sheet.colors());
-    Result<double> covered = seen(painter, {&card, 1});
+    Result<double> covered = silhouettes(painter, {&card, 1}, box);
     if (!covered) return covered.errors();
     (*covered < *wanted ? low : high) = share;
   }
@@ -262,6 +251,45 @@ Result<ExportPart> crossed(Maker& maker, std::vector<Bough>& boughs, int cell, b
   return made;
 }
 
+/// Larger leaves that are fewer hide less of each other: scales those of the coarser levels until they cover
+/// as much as the first.
+Errors fit_leaves(Maker& maker, std::size_t index) {
+  ExportMesh& mesh = maker.exported.meshes[index];
+  auto leaves_in = [&](std::vector<ExportPart>& parts) {
+    std::vector<ExportPart*> leaves;
+    for (ExportPart& part : parts)
+      if (maker.exported.materials[part.material].leaf) leaves.push_back(&part);
+    return leaves;
+  };
+  Painter painter(maker.exported);
+  Bounds box;
+  auto covered = [&](const std::vector<ExportPart*>& leaves) {
+    std::vector<Sitter> sitters;
+    for (ExportPart* part : leaves) sitters.push_back({part});
+    return silhouettes(painter, sitters, box);
+  };
+  std::vector<ExportPart*> first = leaves_in(mesh.parts);
+  if (first.empty() || mesh.coarser.empty()) return {};
+  for (const ExportPart* part : first)
+    for (const Vec3& at : part->surface.position) box.take(at);
+  Result<double> wanted = covered(first);
+  if (!wanted) return wanted.errors();
+  for (std::size_t level = 1; level <= mesh.coarser.size(); ++level) {
+    if (std::ranges::any_of(maker.crossed, [&](const CrossedLevel& other) {
+          return other.level == level && other.meshes[0] == index;
+        }))
+      continue;
+    std::vector<ExportPart*> leaves = leaves_in(mesh.coarser[level - 1]);
+    for (int step = 0; step < 2 && !leaves.empty(); ++step) {
+      Result<double> now = covered(leaves);
+      if (!now) return now.errors();
+      double factor = std::clamp(std::sqrt(*wanted / std::max(*now, 1e-9)), kFit[0], kFit[1]);
+      for (ExportPart* part : leaves) grow_pieces(part->surface, static_cast<float>(factor));
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Errors add_crossed_levels(Maker& maker) {
@@ -285,6 +313,8 @@ Errors add_crossed_levels(Maker& maker) {
     if (!made) return made.errors();
     to.set_level(level.level, {std::move(*made)});
   }
+  for (std::size_t i = 0; maker.options.texture > 0 && i < maker.exported.meshes.size(); ++i)
+    if (Errors errors = fit_leaves(maker, i); !errors.empty()) return errors;
   return {};
 }
 

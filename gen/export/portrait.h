@@ -55,6 +55,9 @@ class Painter {
   std::map<std::size_t, Raster> pictures_;
 };
 
+/// How much parts in a box cover from eight sides, m2, the sum of all.
+Result<double> silhouettes(Painter& painter, std::span<const Sitter> sitters, const Bounds& box);
+
 /// A view of a box from the side, so many radians round the vertical.
 PortraitView side_view(const Bounds& box, double turn, int pixels);
 
