@@ -103,6 +103,27 @@ setup() {
   [ "$status" -eq 0 ]
 }
 
+@test "a measured skeleton leads plants, trees and ivy" {
+  cp "$cases/07-swc-skeleton/vine.swc" .
+  echo '{"axiom": "A(40)", "steps": 41, "rules": ["A(n) : n > 0 -> ?FA(n-1)"],
+    "guide": {"file": "vine.swc", "tolerance": 0.02, "leniency": 1}}' > led.json
+  run --separate-stderr "$frond" turtle led.json
+  [ "$status" -eq 0 ]
+  [[ "$output" == *'"turtles_at_end": 3,'* ]]
+  echo '{"scene": {"setting": "studio"}, "organisms": [
+    {"kind": "colonized", "guide": {"file": "vine.swc"}, "place": {"at": [[0, 0]]}}]}' > colonized.json
+  run "$frond" check colonized.json
+  [ "$status" -eq 0 ]
+  echo '{"scene": {"setting": "garden"}, "organisms": [
+    {"kind": "ivy", "crawl": {"guides": [{"file": "vine.swc", "width": 0.1}]}}]}' > ivy.json
+  run "$frond" check ivy.json
+  [ "$status" -eq 0 ]
+  echo "1 0 0 0 0 secret" > vine.swc
+  run "$frond" check colonized.json
+  [ "$status" -eq 2 ]
+  [[ "$output" == *"is a skeleton that cannot be read"* && "$output" != *"secret"* ]]
+}
+
 @test "close nodes between long pieces make no knob" {
   run "$frond" export "$cases/23-pov-close-nodes/cane.json" --sides 32 -o cane.obj
   [ "$status" -eq 0 ]
