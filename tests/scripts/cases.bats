@@ -124,6 +124,26 @@ setup() {
   [[ "$output" == *"is a skeleton that cannot be read"* && "$output" != *"secret"* ]]
 }
 
+@test "levels of detail keep the box, the leaves and the trunk of the first" {
+  for tree in birch spruce; do
+    run "$frond" export "$root/presets/trees/$tree.json" --set /organisms/0/years=12 --lods 4 --texture 0 -o $tree.glb
+    [ "$status" -eq 0 ]
+    python3 "$cases/11-lod-silhouette/levels.py" $tree.glb
+  done
+}
+
+@test "a tree for laser scans has leaves of true size at any detail, and steady names" {
+  for detail in 100000 1000000 1000000000; do
+    run "$frond" export "$root/presets/trees/birch.json" --set /organisms/0/years=12 --texture 0 --detail $detail -o $detail.obj
+    [ "$status" -eq 0 ]
+  done
+  python3 "$cases/12-lidar-leaves/leaves.py" 100000.obj 1000000.obj 1000000000.obj
+  run "$frond" export "$root/presets/trees/birch.json" --set /organisms/0/years=7 --set /seed=9 --texture 0 -o other.obj
+  [ "$status" -eq 0 ]
+  [ "$(grep newmtl 100000.mtl | sort)" = "$(grep newmtl other.mtl | sort)" ]
+  grep -q "Simulators that take z as up" "$root/docs/export.md"
+}
+
 @test "close nodes between long pieces make no knob" {
   run "$frond" export "$cases/23-pov-close-nodes/cane.json" --sides 32 -o cane.obj
   [ "$status" -eq 0 ]
