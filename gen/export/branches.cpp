@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kFirstGrain = 1.0 / 6000, kCoarserGrain = 1.4;  // of its size, where branches are too many
 constexpr double kLastGrain = 0.05;
+constexpr double kRootTriangles = 40;  // of a root at the foot, at most
 constexpr double kMostStretch = 1.41;  // of a bark's height along a branch, and of its inverse
 
 /// Lets a bark go as far along twigs as along the trunk, within a factor of two; along its own circumference,
@@ -44,6 +45,25 @@ Vec3 brightness_at(Vec3 at) {
   for (int axis = 0; axis < 3; ++axis)
     seed = seed.child(static_cast<std::uint64_t>(static_cast<std::int64_t>(cube[axis])));
   return Vec3(static_cast<float>((185 + seed.unit() * 70) / 255));
+}
+
+/// Of each node, whether it is of a root that runs out from the foot: as low as the foot is thick, and short.
+std::vector<char> roots_of(const Skeleton& s) {
+  constexpr float kReach = 4;  // radii of the foot
+  std::vector<char> roots(s.size(), 0);
+  auto n = static_cast<std::int32_t>(s.size());
+  for (std::int32_t first = 0, last = 0; first < n; first = last + 1) {
+    for (last = first; last + 1 < n && s.parent[last + 1] == last;) ++last;
+    std::int32_t foot = s.parent[first];
+    if (foot == Skeleton::kRoot || s.parent[foot] != Skeleton::kRoot) continue;
+    bool low = true;
+    for (std::int32_t i = first; i <= last; ++i) {
+      Vec3 from = s.position[i] - s.position[foot];
+      low = low && from.y < s.radius[foot] && glm::length(from) < kReach * s.radius[foot];
+    }
+    std::fill(roots.begin() + first, roots.begin() + last + 1, low);
+  }
+  return roots;
 }
 
 /// Makes the branches of one organism.
@@ -126,10 +146,24 @@ class Brancher {
     double size = glm::length(bounds_of(posed.position).size());
     double first = size * (options_.pixels > 0 ? 1 / options_.pixels : kFirstGrain);
     auto grain_of = [&](double step) { return first * std::pow(kCoarserGrain, step - 1); };
+    // Thin roots stay with the stem, as nodes of order 0 do: without them its foot would be half as wide.
+    // They are few, and taken from nothing: a stem of few triangles would become flat.
+    Skeleton rooted = posed;
+    std::vector<char> roots = roots_of(posed);
+    double room = 0;
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+      if (!roots[i]) continue;
+      rooted.order[i] = 0;
+      if (posed.parent[i] != static_cast<std::int32_t>(i) - 1 || !roots[i - 1]) room += kRootTriangles;
+    }
+    most_ += room, maker_.spare += room;
     auto thinner = [&](double step) {
       std::vector<std::int32_t> kept;
       auto grain = static_cast<float>(grain_of(step));
-      TubeMesh mesh = mesh_of(thinned(posed, 0.4f * grain, 0.5f * grain, &kept), grain, step);
+      Skeleton less = thinned(rooted, 0.4f * grain, 0.5f * grain, &kept);
+      for (std::size_t i = 0; i < kept.size(); ++i)
+        less.order[i] = posed.order[static_cast<std::size_t>(kept[i])];
+      TubeMesh mesh = mesh_of(less, grain, step);
       for (std::int32_t& node : mesh.node) node = kept[static_cast<std::size_t>(node)];
       return mesh;
     };

@@ -14,7 +14,8 @@ struct BranchPart {
 };
 
 /// The branches of an organism, as its style has them: a part for each of their colours, with paler
-/// tips. Tubes have about so many triangles at most.
+/// tips. Tubes have about so many triangles at most, and thin roots at the foot a few more, which are added
+/// to maker.spare.
 Result<std::vector<BranchPart>> branch_parts(Maker& maker, const DrawnBranches& branches, double triangles);
 
 }  // namespace frond

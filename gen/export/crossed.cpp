@@ -3,25 +3,27 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
-#include "core/linear.h"
+#include "export/foliage.h"
 #include "export/portrait.h"
+#include "export/sheet.h"
 #include "geometry/far.h"
 
 namespace frond {
 
 namespace {
 
-constexpr int kViews = 3;
-constexpr int kMargin = 1;         // pixels round each picture, that the next one does not show in it
-constexpr double kCrossed = 0.85;  // of what a bough's pictures cover: the others add to it between the sides
-constexpr double kWhole = 0.79;    // the same of a whole plant
+constexpr int kViews = 3, kWholeViews = 4;             // of a bough, of a whole plant
+constexpr float kLeast = 0.75;                         // of its width, that a card of a whole plant keeps
+constexpr std::array<double, 2> kFit = {0.85, 1.05};   // by which leaves are scaled, in one of two steps
+constexpr std::array<double, 2> kShares = {0.2, 1.5};  // of what portraits cover, that cards may show
 
 /// What one set of pictures shows.
 struct Bough {
   std::vector<Sitter> sitters;
   Bounds box;
-  Vec3 middle{0};  // where the pictures cross
+  Vec3 middle{0};  // where the cards cross
 };
 
 /// A leaf, or another piece of a part.
@@ -88,43 +90,93 @@ void part_into(const std::vector<ExportPart>& parts, std::span<Leaf> leaves, int
   part_into(parts, leaves.subspan(at), count - half, boughs);
 }
 
-/// The whole of some parts; its pictures cross over the foot, so that there is one trunk.
+/// The whole of some parts.
 Bough whole_of(const std::vector<const ExportPart*>& parts) {
   Bough bough;
   for (const ExportPart* part : parts) {
     bough.sitters.push_back({part});
     for (const Vec3& p : part->surface.position) bough.box.take(p);
   }
-  bough.middle = glm::clamp(Vec3(0, bough.box.middle().y, 0), bough.box.low, bough.box.high);
+  bough.middle = bough.box.middle();
   return bough;
 }
 
-/// The front, the right side and the top of a box, and the corners of the card that shows each, by shares of
-/// the picture.
+/// A card, and the view that its picture shows.
 struct Side {
   PortraitView view;
-  Vec3 low, across, upward;
+  Vec3 low, across, upward;  // its corner and its edges
+  float scale = 1;           // of its width, to keep in the box
 };
 
-std::array<Side, kViews> sides_of(const Bough& bough, int pixels) {
-  const Bounds& box = bough.box;
-  std::array<std::array<Vec3, 2>, kViews> axes = {
-      {{Vec3(1, 0, 0), Vec3(0, 1, 0)}, {Vec3(0, 0, -1), Vec3(0, 1, 0)}, {Vec3(1, 0, 0), Vec3(0, 0, -1)}}};
-  std::array<Side, kViews> sides;
-  for (std::size_t k = 0; k < kViews; ++k) {
-    auto [right, up] = axes[k];
-    Side& side = sides[k];
-    side.view = {right, up, Vec2(1e30f), Vec2(-1e30f), pixels, pixels};
-    for (int c = 0; c < 8; ++c) {
-      Vec2 at(glm::dot(box.corner(c), right), glm::dot(box.corner(c), up));
-      side.view.low = glm::min(side.view.low, at), side.view.high = glm::max(side.view.high, at);
-    }
-    side.view.high = glm::max(side.view.high, side.view.low + 1e-4f);
-    Vec3 toward = glm::cross(right, up);
-    side.low = right * side.view.low.x + up * side.view.low.y + toward * glm::dot(bough.middle, toward);
-    side.across = right * (side.view.high.x - side.view.low.x);
-    side.upward = up * (side.view.high.y - side.view.low.y);
+/// How far it is from a place to the wall of a box.
+float way_out(const Bounds& box, Vec3 from, Vec3 toward) {
+  float way = std::numeric_limits<float>::max();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(toward[axis]) < 1e-6f) continue;
+    float wall = toward[axis] > 0 ? box.high[axis] : box.low[axis];
+    way = std::min(way, std::max(0.0f, (wall - from[axis]) / toward[axis]));
   }
+  return way;
+}
+
+/// All of a bough as it is seen straight across two directions, on a card through its middle.
+Side side_of(const Bough& bough, Vec3 right, Vec3 up, int pixels) {
+  Side side{{right, up, Vec2(1e30f), Vec2(-1e30f), pixels, pixels}, {}, {}, {}};
+  for (const Sitter& sitter : bough.sitters) {
+    const Surface& s = sitter.part->surface;
+    auto take = [&](Vec3 p) {
+      Vec2 at(glm::dot(p, right), glm::dot(p, up));
+      side.view.low = glm::min(side.view.low, at), side.view.high = glm::max(side.view.high, at);
+    };
+    if (sitter.triangles.empty()) std::ranges::for_each(s.position, take);
+    for (std::uint32_t t : sitter.triangles)
+      for (std::uint32_t corner : s.triangle[t]) take(s.position[corner]);
+  }
+  side.view.high = glm::max(side.view.high, side.view.low + 1e-4f);
+  Vec3 middle = bough.middle;
+  float at = glm::dot(middle, right), before = at - side.view.low.x, after = side.view.high.x - at;
+  if (before > 0) side.scale = std::min(side.scale, way_out(bough.box, middle, -right) / before);
+  if (after > 0) side.scale = std::min(side.scale, way_out(bough.box, middle, right) / after);
+  Vec3 foot = middle + up * (side.view.low.y - glm::dot(middle, up));
+  side.low = foot - right * (before * side.scale);
+  side.across = right * ((before + after) * side.scale);
+  side.upward = up * (side.view.high.y - side.view.low.y);
+  return side;
+}
+
+/// The front, the right side and the top of a bough.
+std::vector<Side> sides_of(const Bough& bough, int pixels) {
+  return {side_of(bough, {1, 0, 0}, {0, 1, 0}, pixels), side_of(bough, {0, 0, -1}, {0, 1, 0}, pixels),
+          side_of(bough, {1, 0, 0}, {0, 0, -1}, pixels)};
+}
+
+/// Three sides of a whole plant, by as much apart as its box is long and wide, and the top where most of its
+/// leaves are that lie. Of three sides as much is seen from everywhere round it, of two not.
+std::vector<Side> whole_sides(Bough& whole, int pixels) {
+  Vec3 size = glm::max(whole.box.size(), Vec3(1e-4f)), middle = whole.box.middle();
+  auto upright = [&] {
+    std::vector<Side> sides;
+    for (int k = 0; k < 3; ++k) {
+      auto turn = static_cast<float>(k * kPi / 3);
+      Vec3 right = glm::normalize(Vec3(size.x * std::cos(turn), 0, size.z * std::sin(turn)));
+      sides.push_back(side_of(whole, right, {0, 1, 0}, pixels));
+    }
+    return sides;
+  };
+  // They cross over the foot, so that there is one trunk, unless the plant leans far from there.
+  whole.middle = glm::clamp(Vec3(0, middle.y, 0), whole.box.low, whole.box.high);
+  std::vector<Side> sides = upright();
+  if (std::ranges::min(sides, {}, &Side::scale).scale < kLeast) whole.middle = middle, sides = upright();
+  float sum = 0, height = 0;
+  for (const Sitter& sitter : whole.sitters) {
+    const Surface& s = sitter.part->surface;
+    for (auto [a, b, c] : s.triangle) {
+      float flat = std::abs(glm::cross(s.position[b] - s.position[a], s.position[c] - s.position[a]).y);
+      sum += flat, height += flat * s.position[a].y;
+    }
+  }
+  whole.middle = Vec3(middle.x, sum > 0 ? height / sum : middle.y, middle.z);
+  sides.push_back(side_of(whole, {1, 0, 0}, {0, 0, -1}, pixels));
   return sides;
 }
 
@@ -140,120 +192,102 @@ void add_card(Surface& cards, const Side& side, Vec2 low, Vec2 high) {
   cards.triangle.push_back({first, first + 2, first + 3});
 }
 
-/// Opacity by which as large a share of a picture is opaque as is covered.
-std::vector<std::uint8_t> opacity_of(const Portrait& portrait, double share) {
-  std::vector<float> sorted = portrait.cover;
-  std::ranges::sort(sorted, std::greater());
-  auto kept = static_cast<std::size_t>(share * portrait.covered() * static_cast<double>(sorted.size()));
-  float least = std::max(sorted[std::min(kept, sorted.size() - 1)], 1e-3f);
-  std::vector<std::uint8_t> opacity;
-  for (float cover : portrait.cover) opacity.push_back(to_byte(0.5 * static_cast<double>(cover / least)));
-  return opacity;
+/// The share of the portraits with which cards have the silhouettes of what they show: from eight sides, as a
+/// mean of all.
+Result<double> fitting_share(Maker& maker, std::span<const Sitter> shown, const Bounds& box,
+                             const ExportPart& cards, const ExportMaterial& material, PictureSheet& sheet) {
+  Painter first(maker.exported);
+  Result<double> wanted = silhouettes(first, shown, box);
+  if (!wanted) return wanted.errors();
+  ExportScene only;
+  only.materials = {material};
+  only.materials[0].colors = 0;
+  Sitter card{&cards};
+  double low = kShares[0], high = kShares[1];
+  for (int step = 0; step < 7; ++step) {
+    double share = (low + high) / 2;
+    sheet.cut(share);
+    Painter painter(only);
+    painter.wear(0, sheet.colors());
+    Result<double> covered = silhouettes(painter, {&card, 1}, box);
+    if (!covered) return covered.errors();
+    (*covered < *wanted ? low : high) = share;
+  }
+  return (low + high) / 2;
 }
 
-/// Pictures side by side.
-struct Sheet {
-  int cell, columns;
-  Raster colors, normals;
-  std::vector<char> seen;  // of each pixel
-
-  Sheet(int cells, int pixels) : cell(pixels) {
-    columns = cells <= kViews ? cells : static_cast<int>(std::ceil(std::sqrt(cells)));
-    int rows = (cells + columns - 1) / columns;
-    colors = Raster(columns * cell, rows * cell, 4), normals = Raster(columns * cell, rows * cell, 3);
-    seen.assign(colors.data.size() / 4, 0);
-  }
-
-  void put(const Portrait& portrait, const std::vector<std::uint8_t>& opacity, int number) {
-    int left = number % columns * cell + kMargin, top = number / columns * cell + kMargin;
-    for (int y = 0; y < portrait.high; ++y)
-      for (int x = 0; x < portrait.wide; ++x) {
-        auto from = static_cast<std::size_t>(y * portrait.wide + x);
-        if (portrait.cover[from] <= 0) continue;
-        Color color = srgb(glm::min(portrait.light[from], Vec3(1)));
-        std::size_t at = colors.index(left + x, top + y), n = normals.index(left + x, top + y);
-        colors.data[at] = to_byte(color.red), colors.data[at + 1] = to_byte(color.green);
-        colors.data[at + 2] = to_byte(color.blue), colors.data[at + 3] = opacity[from];
-        for (int c = 0; c < 3; ++c)
-          normals.data[n + static_cast<std::size_t>(c)] = to_byte(0.5 + 0.5 * portrait.normal[from][c]);
-        seen[at / 4] = 1;
-      }
-  }
-
-  /// Corners on the sheet, v upward.
-  Vec2 corner(int number, bool high) const {
-    int x = number % columns * cell + (high ? cell - kMargin : kMargin);
-    int y = number / columns * cell + (high ? kMargin : cell - kMargin);
-    return {static_cast<float>(x) / static_cast<float>(colors.width),
-            1 - static_cast<float>(y) / static_cast<float>(colors.height)};
-  }
-
-  /// What is open takes the colours of what is next to it, or edges would be seen dark; the mean of all.
-  Color fill() {
-    Vec3 sum(0);
-    float count = 0;
-    for (std::size_t i = 0; i < seen.size(); ++i)
-      if (seen[i]) {
-        const std::uint8_t* p = &colors.data[4 * i];
-        sum += linear(Color{p[0] / 255.0f, p[1] / 255.0f, p[2] / 255.0f}), ++count;
-      }
-    Color mean = srgb(sum / std::max(count, 1.0f));
-    std::array<std::uint8_t, 3> plain{to_byte(mean.red), to_byte(mean.green), to_byte(mean.blue)};
-    for (std::size_t i = 0; i < seen.size(); ++i)
-      if (!seen[i]) {
-        std::size_t near = nearest(i);
-        std::copy_n(near == i ? plain.data() : &colors.data[4 * near], 3, &colors.data[4 * i]);
-        if (near == i)
-          normals.data[3 * i] = normals.data[3 * i + 1] = 128, normals.data[3 * i + 2] = 255;
-        else
-          std::copy_n(&normals.data[3 * near], 3, &normals.data[3 * i]);
-      }
-    return mean;
-  }
-
- private:
-  /// A pixel that is seen within a few of it, or itself.
-  std::size_t nearest(std::size_t i) const {
-    constexpr int kFar = 3;
-    int width = colors.width, x = static_cast<int>(i) % width, y = static_cast<int>(i) / width;
-    std::size_t best = i;
-    int least = kFar * kFar + 1;
-    for (int dy = -kFar; dy <= kFar; ++dy)
-      for (int dx = -kFar; dx <= kFar; ++dx) {
-        int u = x + dx, v = y + dy, far = dx * dx + dy * dy;
-        if (u < 0 || v < 0 || u >= width || v >= colors.height || far >= least) continue;
-        auto at = static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + static_cast<std::size_t>(u);
-        if (seen[at]) best = at, least = far;
-      }
-    return best;
-  }
-};
-
 /// Boughs as cards with a material of their own.
-Result<ExportPart> crossed(Maker& maker, const std::vector<Bough>& boughs, int cell, double share,
+Result<ExportPart> crossed(Maker& maker, std::vector<Bough>& boughs, int cell, bool whole,
                            const std::string& name) {
-  Sheet sheet(static_cast<int>(boughs.size()) * kViews, cell);
+  PictureSheet sheet(static_cast<int>(boughs.size()) * (whole ? kWholeViews : kViews), cell);
   Painter painter(maker.exported);
   ExportPart made;
+  std::vector<Sitter> shown;
+  Bounds box;
   int number = 0;
-  for (const Bough& bough : boughs)
-    for (const Side& side : sides_of(bough, cell - 2 * kMargin)) {
+  for (Bough& bough : boughs) {
+    for (const Side& side : whole ? whole_sides(bough, sheet.inner()) : sides_of(bough, sheet.inner())) {
       Result<Portrait> portrait = painter.portrait(bough.sitters, side.view);
       if (!portrait) return portrait.errors();
-      sheet.put(*portrait, opacity_of(*portrait, share), number);
+      sheet.put(*portrait, number);
       add_card(made.surface, side, sheet.corner(number, false), sheet.corner(number, true));
       ++number;
     }
+    shown.insert(shown.end(), bough.sitters.begin(), bough.sitters.end());
+    box.take(bough.box);
+  }
   BakedPictures pictures;
   pictures.mean = sheet.fill();
-  Result<std::string> colors = png_text(sheet.colors), normals = png_text(sheet.normals);
+  ExportMaterial material;
+  material.factor = {1, 1, 1}, material.gloss = 0.1, material.leaf = material.cutout = true;
+  Result<double> share = fitting_share(maker, shown, box, made, material, sheet);
+  if (!share) return share.errors();
+  sheet.cut(*share);
+  Result<std::string> colors = png_text(sheet.colors()), normals = png_text(sheet.normals());
   if (!colors) return colors.errors();
   if (!normals) return normals.errors();
   pictures.colors = std::move(*colors), pictures.normals = std::move(*normals);
-  ExportMaterial material;
-  material.factor = {1, 1, 1}, material.gloss = 0.1, material.leaf = material.cutout = true;
   made.material = maker.palette.shown(material, name, std::move(pictures));
   return made;
+}
+
+/// Larger leaves that are fewer hide less of each other: scales those of the coarser levels until they cover
+/// as much as the first.
+Errors fit_leaves(Maker& maker, std::size_t index) {
+  ExportMesh& mesh = maker.exported.meshes[index];
+  auto leaves_in = [&](std::vector<ExportPart>& parts) {
+    std::vector<ExportPart*> leaves;
+    for (ExportPart& part : parts)
+      if (maker.exported.materials[part.material].leaf) leaves.push_back(&part);
+    return leaves;
+  };
+  Painter painter(maker.exported);
+  Bounds box;
+  auto covered = [&](const std::vector<ExportPart*>& leaves) {
+    std::vector<Sitter> sitters;
+    for (ExportPart* part : leaves) sitters.push_back({part});
+    return silhouettes(painter, sitters, box);
+  };
+  std::vector<ExportPart*> first = leaves_in(mesh.parts);
+  if (first.empty() || mesh.coarser.empty()) return {};
+  for (const ExportPart* part : first)
+    for (const Vec3& at : part->surface.position) box.take(at);
+  Result<double> wanted = covered(first);
+  if (!wanted) return wanted.errors();
+  for (std::size_t level = 1; level <= mesh.coarser.size(); ++level) {
+    if (std::ranges::any_of(maker.crossed, [&](const CrossedLevel& other) {
+          return other.level == level && other.meshes[0] == index;
+        }))
+      continue;
+    std::vector<ExportPart*> leaves = leaves_in(mesh.coarser[level - 1]);
+    for (int step = 0; step < 2 && !leaves.empty(); ++step) {
+      Result<double> now = covered(leaves);
+      if (!now) return now.errors();
+      double factor = std::clamp(std::sqrt(*wanted / std::max(*now, 1e-9)), kFit[0], kFit[1]);
+      for (ExportPart* part : leaves) grow_pieces(part->surface, static_cast<float>(factor));
+    }
+  }
+  return {};
 }
 
 }  // namespace
@@ -274,11 +308,13 @@ Errors add_crossed_levels(Maker& maker) {
     }
     bool whole = level.boughs == 0;
     Result<ExportPart> made =
-        crossed(maker, boughs, whole ? maker.options.texture : bough_pixels(maker.options),
-                whole ? kWhole : kCrossed, to.name + (whole ? "_whole" : "_boughs"));
+        crossed(maker, boughs, whole ? maker.options.texture : bough_pixels(maker.options), whole,
+                to.name + (whole ? "_whole" : "_boughs"));
     if (!made) return made.errors();
     to.set_level(level.level, {std::move(*made)});
   }
+  for (std::size_t i = 0; maker.options.texture > 0 && i < maker.exported.meshes.size(); ++i)
+    if (Errors errors = fit_leaves(maker, i); !errors.empty()) return errors;
   return {};
 }
 

@@ -75,6 +75,7 @@ class SceneExporter {
   Errors add_branches() {
     double spare = maker_.level == 0 ? 0 : std::max(0.0, maker_.share() * leaves_ - now_leaves_);
     double most = maker_.level == 0 ? kWoodShare * options_.detail : maker_.share() * wood_ + spare;
+    maker_.spare = spare;
     Result<std::vector<BranchPart>> made = branch_parts(maker_, *drawn_.branches, most);
     if (!made) return made.errors();
     std::vector<ExportPart> parts;
@@ -84,7 +85,6 @@ class SceneExporter {
       parts.push_back(std::move(part));
     }
     if (maker_.level == 0) wood_ = triangles_of(parts);
-    maker_.spare = spare;
     stand("branches", std::move(parts));
     maker_.spare = 0;
     return {};

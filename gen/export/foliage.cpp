@@ -43,16 +43,6 @@ double shown_area(const Surface& s, const Pieces& pieces) {
   return sum;
 }
 
-/// Grows each piece about its middle by as much.
-void grow_pieces(Surface& s, float factor) {
-  Pieces pieces = pieces_of(s);
-  std::vector<PieceArea> list = areas_of(s, pieces);
-  for (std::size_t v = 0; v < s.position.size(); ++v) {
-    const PieceArea& piece = list[pieces.of[v]];
-    if (piece.area > 0) s.position[v] = glm::mix(piece.middle / piece.area, s.position[v], factor);
-  }
-}
-
 /// What each may take at most so that all together take no more than there is.
 double level_of(std::vector<double> needs, double all) {
   std::sort(needs.begin(), needs.end());
@@ -175,6 +165,15 @@ double longest_edge(const Surface& s) {
     for (std::size_t k = 0; k < 3; ++k)
       longest = std::max(longest, glm::distance(s.position[t[k]], s.position[t[(k + 1) % 3]]));
   return static_cast<double>(longest);
+}
+
+void grow_pieces(Surface& s, float factor) {
+  Pieces pieces = pieces_of(s);
+  std::vector<PieceArea> list = areas_of(s, pieces);
+  for (std::size_t v = 0; v < s.position.size(); ++v) {
+    const PieceArea& piece = list[pieces.of[v]];
+    if (piece.area > 0) s.position[v] = glm::mix(piece.middle / piece.area, s.position[v], factor);
+  }
 }
 
 Surface fewer_leaves(const Surface& surface, double triangles, double longest) {

@@ -53,6 +53,9 @@ double longest_edge(const Surface& surface);
 /// `longest`, metres, if more triangles are needed for that.
 Surface fewer_leaves(const Surface& surface, double triangles, double longest);
 
+/// Scales each piece about its middle by as much.
+void grow_pieces(Surface& surface, float factor);
+
 /// Moves pieces of parts into a box, and those next to its faces to touch them.
 void keep_in_box(std::vector<LeafPart>& parts, const Bounds& box);
 

@@ -168,6 +168,20 @@ Result<Portrait> Painter::portrait(std::span<const Sitter> sitters, const Portra
   return made;
 }
 
+Result<double> silhouettes(Painter& painter, std::span<const Sitter> sitters, const Bounds& box) {
+  constexpr int kPixels = 240;
+  double sum = 0;
+  for (int k = 0; k < 8; ++k) {
+    PortraitView view = side_view(box, k * kPi / 4, kPixels);
+    view.fine = 2;
+    Result<Portrait> portrait = painter.portrait(sitters, view);
+    if (!portrait) return portrait.errors();
+    Vec2 size = view.high - view.low;
+    sum += portrait->covered() * static_cast<double>(size.x * size.y);
+  }
+  return sum;
+}
+
 PortraitView side_view(const Bounds& box, double turn, int pixels) {
   PortraitView view;
   view.right = Vec3(std::cos(turn), 0, std::sin(turn));

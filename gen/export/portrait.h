@@ -43,6 +43,9 @@ class Painter {
  public:
   explicit Painter(const ExportScene& exported) : scene_(exported) {}
 
+  /// What one of the scene's pictures shows, in place of its file.
+  void wear(std::size_t picture, Raster shown) { pictures_[picture] = std::move(shown); }
+
   Result<Portrait> portrait(std::span<const Sitter> sitters, const PortraitView& view);
 
  private:
@@ -51,6 +54,9 @@ class Painter {
   const ExportScene& scene_;
   std::map<std::size_t, Raster> pictures_;
 };
+
+/// How much parts in a box cover from eight sides, m2, the sum of all.
+Result<double> silhouettes(Painter& painter, std::span<const Sitter> sitters, const Bounds& box);
 
 /// A view of a box from the side, so many radians round the vertical.
 PortraitView side_view(const Bounds& box, double turn, int pixels);

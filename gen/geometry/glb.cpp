@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
@@ -113,13 +114,44 @@ class GlbReader {
 
   /// The numbers of an accessor, one after the other; `width`: how many each entry has.
   std::vector<double> numbers(std::size_t index, std::size_t& width) const {
+    constexpr std::size_t kMostSparse = 100'000'000;
     const Json& a = list("accessors").at(index);
-    if (a.contains("sparse")) throw Fault{"has sparse accessors, which are not read"};
     int type = a.at("componentType").get<int>();
     auto count = a.at("count").get<std::size_t>();
     width = width_of(a.at("type").get<std::string>());
+    double most = a.value("normalized", false) ? largest(type) : 1;
+    std::vector<double> all;
+    if (a.contains("bufferView"))
+      all = entries(a, type, width, count, most);
+    else if (!a.contains("sparse"))
+      throw Fault{"has an accessor without data"};
+    else if (count > kMostSparse)
+      throw Fault{"has a sparse accessor of more than 100 million entries"};
+    else
+      all.assign(count * width, 0);
+    if (a.contains("sparse")) replace_some(all, a["sparse"], type, width, most);
+    return all;
+  }
+
+  /// Puts the values of a sparse accessor in the place of those whose indices it names.
+  void replace_some(std::vector<double>& all, const Json& sparse, int type, std::size_t width,
+                    double most) const {
+    auto count = sparse.at("count").get<std::size_t>();
+    const Json& where = sparse.at("indices");
+    std::vector<double> places = entries(where, where.at("componentType").get<int>(), 1, count, 1);
+    std::vector<double> values = entries(sparse.at("values"), type, width, count, most);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!(places[i] >= 0 && places[i] < static_cast<double>(all.size() / width)))
+        throw Fault{"has a sparse accessor that replaces an entry which is not there"};
+      std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * width), width,
+                  all.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(places[i]) * width));
+    }
+  }
+
+  /// So many entries of a view that `a` names, all numbers one after the other, divided by `most`.
+  std::vector<double> entries(const Json& a, int type, std::size_t width, std::size_t count,
+                              double most) const {
     std::size_t each = size_of(type);
-    if (!a.contains("bufferView")) throw Fault{"has an accessor without data"};
     auto which = a.at("bufferView").get<std::size_t>();
     std::string_view bytes = view(which);
     auto stride = list("bufferViews").at(which).value("byteStride", each * width);
@@ -129,7 +161,6 @@ class GlbReader {
     if (stride == 0 ||
         (count > 0 && (bytes.size() < each * width || (bytes.size() - each * width) / stride < count - 1)))
       throw Fault{"names data beyond its end"};
-    double most = a.value("normalized", false) ? largest(type) : 1;
     std::vector<double> all;
     all.reserve(count * width);
     for (std::size_t i = 0; i < count; ++i) {

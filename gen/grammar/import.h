@@ -22,6 +22,10 @@ Result<GrammarText> import_fractint(std::string_view text, std::string_view syst
 /// The axiom draws it node by node and has a `T` at each tip. With `z_up` the z of the file becomes y.
 Result<GrammarText> import_skeleton(std::string_view text, bool z_up = false);
 
+/// The lines of such a skeleton: the way from each first node to a tip, then what leaves it, branch by
+/// branch.
+Result<GuideLines> skeleton_lines(std::string_view text);
+
 /// By what is in the text (grammar/kind.h), whatever its lines end by. What of it has no effect here is in
 /// the notes. `system`: which of several in a file.
 Result<GrammarText> import_grammar(std::string_view file_name, std::string_view text,

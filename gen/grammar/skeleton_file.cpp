@@ -110,8 +110,13 @@ class SkeletonFile {
   bool z_up_;
 };
 
-/// Writes the word that draws a skeleton. At a fork the way goes on to the thickest child, of those to the
-/// one that carries most; the others are branches before it.
+/// The child that the way goes on to at a fork: the thickest, of those the one that carries most.
+std::size_t main_child(const std::vector<SwcNode>& nodes, std::size_t at) {
+  return *std::ranges::max_element(nodes[at].children, {},
+                                   [&](std::size_t i) { return std::pair(nodes[i].radius, nodes[i].above); });
+}
+
+/// Writes the word that draws a skeleton. Other children than the main one are branches before it.
 class SkeletonWord {
  public:
   explicit SkeletonWord(const SkeletonFile& file) : nodes_(file.nodes) {
@@ -166,8 +171,7 @@ class SkeletonWord {
   void go_on(std::size_t at, std::vector<Piece>& pieces) {
     const std::vector<std::size_t>& children = nodes_[at].children;
     if (children.empty()) return void(word += 'T');
-    std::size_t main = *std::ranges::max_element(
-        children, {}, [&](std::size_t i) { return std::pair(nodes_[i].radius, nodes_[i].above); });
+    std::size_t main = main_child(nodes_, at);
     pieces.push_back({0, at, main});
     for (std::size_t k = children.size(); k-- > 0;)
       if (children[k] != main)
@@ -179,6 +183,40 @@ class SkeletonWord {
 };
 
 }  // namespace
+
+Result<GuideLines> skeleton_lines(std::string_view text) {
+  SkeletonFile file(text, false);
+  if (!file.errors.empty()) return file.errors;
+  GuideLines lines;
+  for (const SwcNode& node : file.nodes) lines.place.push_back(node.at);
+  std::vector<std::array<std::size_t, 2>>
+      starts;  // a fork, and the child that leaves it; the last comes next
+  auto go = [&](std::size_t from, std::size_t to) {
+    lines.line.push_back({static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to)});
+  };
+  auto follow = [&](std::size_t at) {
+    std::vector<std::array<std::size_t, 2>> sides;
+    while (!file.nodes[at].children.empty()) {
+      std::size_t main = main_child(file.nodes, at);
+      for (std::size_t child : file.nodes[at].children)
+        if (child != main) sides.push_back({at, child});
+      go(at, main);
+      at = main;
+    }
+    starts.insert(starts.end(), sides.rbegin(), sides.rend());
+  };
+  for (std::size_t root : file.roots) {
+    follow(root);
+    while (!starts.empty()) {
+      auto [from, to] = starts.back();
+      starts.pop_back();
+      go(from, to);
+      follow(to);
+    }
+  }
+  if (lines.line.empty()) return Error{"", "there is no line; expected two nodes that hang from each other"};
+  return lines;
+}
 
 Result<GrammarText> import_skeleton(std::string_view text, bool z_up) {
   SkeletonFile file(text, z_up);

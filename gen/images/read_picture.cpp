@@ -28,7 +28,7 @@ struct CloseJpeg {
   void operator()(void* reader) const { tjDestroy(reader); }
 };
 
-Result<Raster> read_jpeg(std::string_view bytes) {
+Result<Raster> read_jpeg(std::string_view bytes, bool upright) {
   std::unique_ptr<void, CloseJpeg> reader(tjInitDecompress());
   int width = 0, height = 0, sampling = 0, colors = 0;
   if (tjDecompressHeader3(reader.get(), first_byte(bytes), bytes.size(), &width, &height, &sampling, &colors))
@@ -43,7 +43,7 @@ Result<Raster> read_jpeg(std::string_view bytes) {
   std::string_view said = failed ? tjGetErrorStr2(reader.get()) : "";
   if (failed && (tjGetErrorCode(reader.get()) != TJERR_WARNING || said.find("Premature") != said.npos))
     return Error{"", fmt::format("is a damaged JPEG: {}", said)};
-  return turned(raster, jpeg_turn(bytes));
+  return upright ? turned(raster, jpeg_turn(bytes)) : raster;
 }
 
 Result<Raster> read_webp(std::string_view bytes) {
@@ -72,13 +72,25 @@ std::string_view said_kind(std::string_view bytes) {
   return "is no picture that Frond reads";
 }
 
-}  // namespace
+bool is_png(std::string_view bytes) { return bytes.starts_with("\x89PNG"); }
+bool is_jpeg(std::string_view bytes) { return bytes.starts_with("\xff\xd8\xff"); }
+bool is_webp(std::string_view bytes) {
+  return bytes.starts_with("RIFF") && bytes.size() > 12 && bytes.substr(8, 4) == "WEBP";
+}
 
-Result<Raster> read_picture(std::string_view bytes) {
-  if (bytes.starts_with("\x89PNG")) return read_png(bytes);
-  if (bytes.starts_with("\xff\xd8\xff")) return read_jpeg(bytes);
-  if (bytes.starts_with("RIFF") && bytes.size() > 12 && bytes.substr(8, 4) == "WEBP") return read_webp(bytes);
+Result<Raster> read(std::string_view bytes, bool upright) {
+  if (is_png(bytes)) return read_png(bytes);
+  if (is_jpeg(bytes)) return read_jpeg(bytes, upright);
+  if (is_webp(bytes)) return read_webp(bytes);
   return Error{"", fmt::format("{}; expected a PNG, JPEG or WebP file", said_kind(bytes))};
 }
+
+}  // namespace
+
+Result<Raster> read_picture(std::string_view bytes) { return read(bytes, true); }
+
+Result<Raster> read_texture(std::string_view bytes) { return read(bytes, false); }
+
+bool is_picture(std::string_view bytes) { return is_png(bytes) || is_jpeg(bytes) || is_webp(bytes); }
 
 }  // namespace frond

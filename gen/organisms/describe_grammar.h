@@ -125,7 +125,8 @@ void describe_line(Visitor& v, GuideText& g) {
             "Number of pieces that the Bézier curve is cut into");
   v.file(
       "file", g.file, [&](const NamedFile& file) { return load_guide(file, g); },
-      "An OBJ file of lines, named as seen from this file's folder, in place of points");
+      "An OBJ file of lines or a skeleton as SWC, named as seen from this file's folder, in place of "
+      "points");
 }
 
 template <class Visitor>

@@ -1,6 +1,6 @@
 #include "organisms/describe_grammar.h"
 
-#include "geometry/obj.h"
+#include "organisms/guide_file.h"
 
 namespace frond {
 
@@ -77,9 +77,9 @@ bool read_guide_line(Reader& reader, const Value& value, std::vector<GuidePoint>
 }
 
 Errors load_guide(const NamedFile& file, GuideText& guide) {
-  Result<LineSet> lines = read_obj_lines(file.text, file.path.string());
+  Result<GuideLines> lines = read_guide_file(file);
   if (!lines) return lines.errors();
-  guide.lines = {std::move(lines->place), std::move(lines->line)};
+  guide.lines = std::move(*lines);
   return {};
 }
 

@@ -115,6 +115,19 @@ std::string ply_cube(bool big) {
   return bytes;
 }
 
+/// JSON and data as a GLB file.
+std::string glb_of(std::string json, const std::string& data) {
+  while (json.size() % 4) json += ' ';
+  std::string bytes = "glTF";
+  put(bytes, std::uint32_t{2});
+  put(bytes, static_cast<std::uint32_t>(12 + 8 + json.size() + 8 + data.size()));
+  put(bytes, static_cast<std::uint32_t>(json.size()));
+  bytes += "JSON" + json;
+  put(bytes, static_cast<std::uint32_t>(data.size()));
+  bytes += std::string("BIN\0", 4) + data;
+  return bytes;
+}
+
 /// A cube as GLB, on a node that is mirrored and moved by `x`.
 std::string glb_cube(double x) {
   std::string data;
@@ -129,15 +142,55 @@ std::string glb_cube(double x) {
       R"("materials":[{"name":"brick","pbrMetallicRoughness":{"baseColorFactor":[1,0,0,1]}}],)"
       R"("accessors":[{"bufferView":0,"componentType":5126,"count":8,"type":"VEC3"},{"bufferView":1,"componentType":5123,"count":36,"type":"SCALAR"}],)"
       R"("bufferViews":[{"buffer":0,"byteLength":96},{"buffer":0,"byteOffset":96,"byteLength":72}],"buffers":[{"byteLength":168}]})";
-  while (json.size() % 4) json += ' ';
-  std::string bytes = "glTF";
-  put(bytes, std::uint32_t{2});
-  put(bytes, static_cast<std::uint32_t>(12 + 8 + json.size() + 8 + data.size()));
-  put(bytes, static_cast<std::uint32_t>(json.size()));
-  bytes += "JSON" + json;
-  put(bytes, static_cast<std::uint32_t>(data.size()));
-  bytes += std::string("BIN\0", 4) + data;
-  return bytes;
+  return glb_of(json, data);
+}
+
+/// A cube whose places are zeros but for `replaced` of the eight, which a sparse accessor gives; with `base`
+/// they are all twice as far out but for these.
+std::string sparse_cube(bool base, std::vector<std::uint16_t> replaced) {
+  std::string data;
+  for (const auto& p : kCube)
+    for (float at : p) put(data, 2 * at);
+  for (const auto& side : kSides)
+    for (int corner : side) put(data, static_cast<std::uint16_t>(corner));
+  for (std::uint16_t i : replaced) put(data, i);
+  while (data.size() % 4) data += '\0';
+  std::size_t values = data.size();
+  for (std::uint16_t i : replaced)
+    for (float at : kCube[i % kCube.size()]) put(data, at);
+  std::string count = std::to_string(replaced.size());
+  return glb_of(
+      R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"accessors":[{)" +
+          std::string(base ? R"("bufferView":0,)" : "") +
+          R"("componentType":5126,"count":8,"type":"VEC3","sparse":{"count":)" + count +
+          R"(,"indices":{"bufferView":2,"componentType":5123},"values":{"bufferView":3}}},)"
+          R"({"bufferView":1,"componentType":5123,"count":36,"type":"SCALAR"}],)"
+          R"("bufferViews":[{"buffer":0,"byteLength":96},{"buffer":0,"byteOffset":96,"byteLength":72},)"
+          R"({"buffer":0,"byteOffset":168,"byteLength":)" +
+          std::to_string(2 * replaced.size()) + R"(},{"buffer":0,"byteOffset":)" + std::to_string(values) +
+          R"(,"byteLength":)" + std::to_string(12 * replaced.size()) + R"(}],"buffers":[{"byteLength":)" +
+          std::to_string(data.size()) + "}]}",
+      data);
+}
+
+TEST(MeshFile, SparseAccessorsOfGlbReplaceEntriesOfTheirOwnOrOfZeros) {
+  Result<PolygonMesh> zeros = mesh_of(sparse_cube(false, {0, 1, 2, 3, 4, 5, 6, 7}));
+  ASSERT_TRUE(zeros.ok()) << zeros.errors()[0].text();
+  EXPECT_NEAR(volume_of(surface_of(*zeros)), 8, 1e-5);
+  Result<PolygonMesh> some = mesh_of(sparse_cube(true, {1, 6}));
+  ASSERT_TRUE(some.ok()) << some.errors()[0].text();
+  for (std::size_t i = 0; i < 8; ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      EXPECT_EQ(some->place[i][axis],
+                (i == 1 || i == 6 ? 1 : 2) * static_cast<double>(kCube[i][static_cast<std::size_t>(axis)]));
+  EXPECT_EQ(mesh_of(sparse_cube(false, {0, 9})).errors()[0].what,
+            "has a sparse accessor that replaces an entry which is not there");
+  std::string whole = sparse_cube(true, {1, 6}), far = whole;
+  far.replace(far.find(R"("count":2)"), 9, R"("count":9)");
+  EXPECT_EQ(mesh_of(far).errors()[0].what, "names data beyond its end");
+  std::string many = sparse_cube(false, {0, 1});
+  many.replace(many.find(R"("count":8,"type")"), 16, R"("count":8e8,"type)");
+  EXPECT_FALSE(mesh_of(many).ok());
 }
 
 TEST(MeshFile, FormatsAreToldByTheirContent) {

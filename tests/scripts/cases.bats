@@ -103,6 +103,47 @@ setup() {
   [ "$status" -eq 0 ]
 }
 
+@test "a measured skeleton leads plants, trees and ivy" {
+  cp "$cases/07-swc-skeleton/vine.swc" .
+  echo '{"axiom": "A(40)", "steps": 41, "rules": ["A(n) : n > 0 -> ?FA(n-1)"],
+    "guide": {"file": "vine.swc", "tolerance": 0.02, "leniency": 1}}' > led.json
+  run --separate-stderr "$frond" turtle led.json
+  [ "$status" -eq 0 ]
+  [[ "$output" == *'"turtles_at_end": 3,'* ]]
+  echo '{"scene": {"setting": "studio"}, "organisms": [
+    {"kind": "colonized", "guide": {"file": "vine.swc"}, "place": {"at": [[0, 0]]}}]}' > colonized.json
+  run "$frond" check colonized.json
+  [ "$status" -eq 0 ]
+  echo '{"scene": {"setting": "garden"}, "organisms": [
+    {"kind": "ivy", "crawl": {"guides": [{"file": "vine.swc", "width": 0.1}]}}]}' > ivy.json
+  run "$frond" check ivy.json
+  [ "$status" -eq 0 ]
+  echo "1 0 0 0 0 secret" > vine.swc
+  run "$frond" check colonized.json
+  [ "$status" -eq 2 ]
+  [[ "$output" == *"is a skeleton that cannot be read"* && "$output" != *"secret"* ]]
+}
+
+@test "levels of detail keep the box, the leaves and the trunk of the first" {
+  for tree in birch spruce; do
+    run "$frond" export "$root/presets/trees/$tree.json" --set /organisms/0/years=12 --lods 4 --texture 0 -o $tree.glb
+    [ "$status" -eq 0 ]
+    python3 "$cases/11-lod-silhouette/levels.py" $tree.glb
+  done
+}
+
+@test "a tree for laser scans has leaves of true size at any detail, and steady names" {
+  for detail in 100000 1000000 1000000000; do
+    run "$frond" export "$root/presets/trees/birch.json" --set /organisms/0/years=12 --texture 0 --detail $detail -o $detail.obj
+    [ "$status" -eq 0 ]
+  done
+  python3 "$cases/12-lidar-leaves/leaves.py" 100000.obj 1000000.obj 1000000000.obj
+  run "$frond" export "$root/presets/trees/birch.json" --set /organisms/0/years=7 --set /seed=9 --texture 0 -o other.obj
+  [ "$status" -eq 0 ]
+  [ "$(grep newmtl 100000.mtl | sort)" = "$(grep newmtl other.mtl | sort)" ]
+  grep -q "Simulators that take z as up" "$root/docs/export.md"
+}
+
 @test "close nodes between long pieces make no knob" {
   run "$frond" export "$cases/23-pov-close-nodes/cane.json" --sides 32 -o cane.obj
   [ "$status" -eq 0 ]

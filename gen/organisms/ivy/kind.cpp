@@ -9,8 +9,8 @@
 #include "core/parallel.h"
 #include "dress/describe.h"
 #include "geometry/mesh_file.h"
-#include "geometry/obj.h"
 #include "images/describe_mask.h"
+#include "organisms/guide_file.h"
 #include "organisms/ivy/ivy.h"
 #include "organisms/kinds.h"
 #include "preset/describe_spline.h"
@@ -29,7 +29,7 @@ inline constexpr Choice<IvyDetail> kIvyDetails[] = {
 
 /// The curves of a file: what follows on each other is one.
 Errors load_curves(const NamedFile& file, std::vector<std::vector<DVec3>>& curves) {
-  Result<LineSet> lines = read_obj_lines(file.text, file.path.string());
+  Result<GuideLines> lines = read_guide_file(file);
   if (!lines) return lines.errors();
   std::uint32_t last = 0;
   for (auto [from, to] : lines->line) {
@@ -48,7 +48,8 @@ void describe(Visitor& v, CrawlGuide& g) {
   v.boolean("curve", g.curve, "Whether the curve is smooth at points without handles, too");
   v.file(
       "file", g.file, [&](const NamedFile& file) { return load_curves(file, g.filed); },
-      "A Wavefront OBJ file with lines (`l`), each row of them one curve, in place of points");
+      "A Wavefront OBJ file with lines (`l`), each row of them one curve, or a skeleton as SWC, each branch "
+      "one, in place of points");
   v.number("width", g.width, {.min = 0.005, .max = 100, .unit = "m"},
            "Distance from the curve within which strands keep");
   v.number("pull", g.pull, {.min = 0, .max = 1},

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "core/content.h"
-#include "images/raster.h"
+#include "images/read_picture.h"
 #include "model/barred.h"
 #include "organisms/mesh/mesh.h"
 
@@ -24,7 +24,7 @@ struct Dressing {
   bool spread = false;         ///< whether that lies on by texture coordinates; else it is of one pixel
 };
 
-bool is_png(const MeshMaterial& m) { return m.picture && m.picture->starts_with("\x89PNG"); }
+bool is_pictured(const MeshMaterial& m) { return m.picture && is_picture(*m.picture); }
 
 /// Whether all corners of a part have texture coordinates.
 bool has_texture(const MeshBody& body, std::int32_t material) {
@@ -40,13 +40,13 @@ bool has_texture(const MeshBody& body, std::int32_t material) {
 std::string picture_of(const MeshMaterial& m) {
   Color c = m.color.value_or(Color{});
   std::string key = fmt::format("mesh {} {} {} {} ", c.red, c.green, c.blue, m.opacity);
-  return fmt::format("mesh_{}.png", content_id(key + (is_png(m) ? *m.picture : "")));
+  return fmt::format("mesh_{}.png", content_id(key + (is_pictured(m) ? *m.picture : "")));
 }
 
 /// The colour of a picture on average, times that of its material.
 Color mean_of(const MeshMaterial& m) {
   Color tint = m.color.value_or(Color{});
-  Result<Raster> read = read_png(*m.picture);
+  Result<Raster> read = read_texture(*m.picture);
   if (!read || read->data.empty()) return tint;
   std::array<double, 3> sum{};
   auto channels = static_cast<std::size_t>(read->channels);
@@ -60,14 +60,15 @@ Color mean_of(const MeshMaterial& m) {
 
 /// Whether the file's own materials are drawn at all.
 bool is_dressed(const MeshParams& params) {
-  return !params.own_color && std::ranges::any_of(params.body->material,
-                                                  [](const MeshMaterial& m) { return m.color || is_png(m); });
+  return !params.own_color && std::ranges::any_of(params.body->material, [](const MeshMaterial& m) {
+    return m.color || is_pictured(m);
+  });
 }
 
 Dressing dressing_of(const MeshParams& params, std::int32_t material) {
   if (material < 0 || !is_dressed(params)) return {};
   const MeshMaterial& m = params.body->material[static_cast<std::size_t>(material)];
-  if (!params.own_matter && is_png(m) && has_texture(*params.body, material))
+  if (!params.own_matter && is_pictured(m) && has_texture(*params.body, material))
     return {m.color.value_or(Color{}), picture_of(m), true};
   if (!params.own_matter && m.color && m.opacity < kOpaque) return {m.color, picture_of(m), false};
   return {m.color, {}, false};
@@ -78,8 +79,8 @@ Result<std::vector<Picture>> draw_picture(const MeshMaterial& m, bool spread, co
   Raster from(1, 1, 3);
   std::ranges::fill(from.data, std::uint8_t{255});
   if (spread) {
-    Result<Raster> read = read_png(*m.picture);
-    if (!read) return read.errors();
+    Result<Raster> read = read_texture(*m.picture);
+    if (!read) return Error{m.picture_name, read.errors()[0].what};
     from = std::move(*read);
   }
   // Programs that write a picture and a black colour beside it mean the picture.
@@ -218,9 +219,9 @@ Errors mesh_doubts(const MeshParams& params) {
   if (body.lies)
     doubts.push_back({"/file", params.file.name +
                                    " looks as if it lay on its back; if z is up in it, write \"up\": \"z\""});
-  auto colored = +[](const MeshMaterial& m) { return m.color || is_png(m); };
-  auto pictured = +[](const MeshMaterial& m) { return is_png(m); };
-  auto unread = +[](const MeshMaterial& m) { return m.picture && !is_png(m); };
+  auto colored = +[](const MeshMaterial& m) { return m.color || is_pictured(m); };
+  auto pictured = +[](const MeshMaterial& m) { return is_pictured(m); };
+  auto unread = +[](const MeshMaterial& m) { return m.picture && !is_pictured(m); };
   auto sheer = +[](const MeshMaterial& m) { return m.opacity < kOpaque; };
   if (std::string list = listed(params, colored); params.own_color && !list.empty())
     doubts.push_back(
@@ -240,12 +241,13 @@ Errors mesh_doubts(const MeshParams& params) {
                                 list)});
   if (std::string list = listed(params, unread); !list.empty())
     doubts.push_back(
-        {"/file", fmt::format("{} has pictures that are no PNG files on its materials {}; expected PNG, "
-                              "and they have one colour now",
+        {"/file", fmt::format("{} has pictures of an unknown kind on its materials {}; expected PNG, JPEG or "
+                              "WebP, and they have one colour now",
                               params.file.name, list)});
   if (params.own_matter) return doubts;
   for (const auto& [which, taken] : parts_of(body))
-    if (which >= 0 && is_png(body.material[static_cast<std::size_t>(which)]) && !has_texture(body, which))
+    if (which >= 0 && is_pictured(body.material[static_cast<std::size_t>(which)]) &&
+        !has_texture(body, which))
       doubts.push_back(
           {"/file", fmt::format("{} gives its material \"{}\" a picture but not all of its corners "
                                 "texture coordinates; it has one colour",
