@@ -192,7 +192,7 @@ Machine machine_for(const fs::path& out) {
 /// What a run will cost, which the machine bears.
 Result<CostEstimate> borne_cost(const Run& run, const Machine& machine) {
   now_doing("estimating how much there will be");
-  Result<CostEstimate> estimate = estimate_cost(run.preset, run.frames());
+  Result<CostEstimate> estimate = estimate_cost(run.preset, {run.drawn().first, run.drawn().last});
   Errors refused = estimate ? refuse(*estimate, machine) : estimate.errors();
   for (Error& error : refused)
     error.where = run.arguments.preset.path + (error.where.empty() ? "" : ": " + error.where);
