@@ -102,7 +102,7 @@ std::vector<std::string> resolve_words(const Run& run) {
   if (preset.assets) preset.assets = fs::relative(*preset.assets, run.out, error).string();
   std::vector<std::string> words;
   add_words(words, preset);
-  words.push_back("--film=.");
+  words.insert(words.end(), {"--film=.", "--quiet"});  // ninja would show what is told only afterwards
   return words;
 }
 
