@@ -100,7 +100,7 @@ int info(const InfoArguments& to) {
   preset->film.raw = is_resolved(preset->film, std::nullopt);
   FrameRange range = drawn_frames(preset->film, *asked);
   now_doing("estimating how much there will be");
-  Result<CostEstimate> estimate = estimate_cost(*preset, range.last - range.first + 1);
+  Result<CostEstimate> estimate = estimate_cost(*preset, {range.first, range.last});
   if (!estimate) return fail(estimate.errors(), kWrongInput);
   const CostEstimate& f = *estimate;
   Machine machine = this_machine(".");

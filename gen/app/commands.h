@@ -82,6 +82,7 @@ struct ResolveArguments {
   std::optional<int> side;
   double reach = 0.4;
   std::optional<double> fade, clip;
+  bool quiet = false;
 };
 
 struct DrawArguments {

@@ -109,7 +109,7 @@ int export_include(const ExportArguments& arguments) {
     return fail(
         {Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", last, film.frames)}},
         kWrongInput);
-  Result<CostEstimate> estimate = estimate_cost(*preset, range->last - range->first + 1);
+  Result<CostEstimate> estimate = estimate_cost(*preset, {range->first, range->last});
   Errors refused = estimate ? refuse(*estimate, this_machine(".")) : estimate.errors();
   if (!refused.empty()) return fail(refused, kWrongInput);
   Result<MacroFiles> macros = read_macros();

@@ -102,7 +102,7 @@ std::vector<std::string> resolve_words(const Run& run) {
   if (preset.assets) preset.assets = fs::relative(*preset.assets, run.out, error).string();
   std::vector<std::string> words;
   add_words(words, preset);
-  words.push_back("--film=.");
+  words.insert(words.end(), {"--film=.", "--quiet"});  // ninja would show what is told only afterwards
   return words;
 }
 
@@ -192,7 +192,7 @@ Machine machine_for(const fs::path& out) {
 /// What a run will cost, which the machine bears.
 Result<CostEstimate> borne_cost(const Run& run, const Machine& machine) {
   now_doing("estimating how much there will be");
-  Result<CostEstimate> estimate = estimate_cost(run.preset, run.frames());
+  Result<CostEstimate> estimate = estimate_cost(run.preset, {run.drawn().first, run.drawn().last});
   Errors refused = estimate ? refuse(*estimate, machine) : estimate.errors();
   for (Error& error : refused)
     error.where = run.arguments.preset.path + (error.where.empty() ? "" : ": " + error.where);

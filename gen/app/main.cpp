@@ -79,6 +79,7 @@ void add_resolve(CLI::App& app, int& result) {
                    "Deviations by which the light of other frames may differ; 0: any (0; 2 where waves move "
                    "the light)")
       ->check(CLI::Range(0.0, 100.0));
+  command->add_flag("-q,--quiet", to->quiet, "No words where all goes well");
   command->footer("Example:\n  frond resolve presets/reef.json --film out/reef --frames 1-24");
   command->callback([&result, to] { result = resolve(*to); });
 }

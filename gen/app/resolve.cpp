@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "app/commands.h"
+#include "app/heartbeat.h"
 #include "app/inputs.h"
 #include "app/judge.h"
 #include "app/messages.h"
@@ -184,6 +185,7 @@ ResolveOptions options_for(const Scene& scene, const ResolveArguments& arguments
 
 int resolve(const ResolveArguments& arguments) {
   limit_threads(arguments.threads);
+  Heartbeat heartbeat(arguments.quiet);
   Result<Preset> preset = load_preset(arguments.preset);
   if (!preset) return fail(preset.errors(), kWrongInput);
   if (Errors errors = refuse_resolving(preset->film, true); !errors.empty()) return fail(errors, kWrongInput);

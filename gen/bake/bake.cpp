@@ -91,6 +91,8 @@ Result<LinearRaster> drawn(const SmallScene& scene, const BakeOptions& options) 
   };
   std::optional<fs::path> program = find_program(options.povray);
   if (!program) return failed("no such program; without pictures: --texture 0");
+  if (options.home.empty())
+    return failed("the folder of Frond is not known, set FROND_HOME to it; without pictures: --texture 0");
   WorkFolder folder;
   if (auto error = write_new(folder.path() / "swatch.pov", scene.text)) return failed(reason_of(error));
   for (const auto& [name, bytes] : scene.files)

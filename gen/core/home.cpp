@@ -9,8 +9,20 @@ namespace frond {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+fs::path& folder_set() {
+  static fs::path folder;
+  return folder;
+}
+
+}  // namespace
+
+void set_home_folder(fs::path folder) { folder_set() = std::move(folder); }
+
 fs::path home_folder() {
   if (const char* given = std::getenv("FROND_HOME")) return given;
+  if (!folder_set().empty()) return folder_set();
   std::error_code error;
   return fs::read_symlink("/proc/self/exe", error).parent_path().parent_path();
 }

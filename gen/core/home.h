@@ -6,9 +6,12 @@
 
 namespace frond {
 
-/// The folder of Frond, with templates/, povinc/ and presets/: $FROND_HOME, or the one above the program's
-/// own. Nobody has looked whether it holds them.
+/// The folder of Frond, with templates/, povinc/ and presets/: $FROND_HOME, the one that was set, or the one
+/// above the program's own. Nobody has looked whether it holds them.
 std::filesystem::path home_folder();
+
+/// For programs that are not Frond's own, as Python. Before anything else is asked for.
+void set_home_folder(std::filesystem::path folder);
 
 /// A preset that comes with Frond, by its path seen from the folder of Frond or from presets/ in it, with or
 /// without .json, or by the name of its file alone; of several of one name the first by their paths.

@@ -67,16 +67,20 @@ void GrammarReader::read_statement(std::vector<Statement>& statements) {
 }
 
 void GrammarReader::read_assignment(std::vector<Statement>& statements) {
-  std::size_t from = cursor_.position();
-  int node = read_name();
+  std::size_t from = (cursor_.peek(), cursor_.position());
+  bool named = !take_name().empty();
+  cursor_.go_to(from);
+  int node = read_formula();
   if (failed()) return;
+  bool assigns = cursor_.is_next("=") && !cursor_.is_next("==");
   FormulaNode target = code_.formulas[static_cast<std::size_t>(node)];
-  if (target.kind == FormulaKind::call) {
-    statements.push_back({StatementKind::call, -1, node});
-    return;
-  }
-  if (cursor_.is_next("==") || !cursor_.take("="))
+  bool takes = target.kind == FormulaKind::variable || target.kind == FormulaKind::local ||
+               target.kind == FormulaKind::formal || target.kind == FormulaKind::element;
+  // Any formula is a statement, for what its calls do.
+  if (!assigns) return statements.push_back({StatementKind::call, -1, node});
+  if (!named || !takes)
     return fail(fmt::format("{}: expected a statement, as `name = formula;` or a call", found()));
+  cursor_.take("=");
   Statement statement{StatementKind::assign_variable, target.a, read_formula()};
   if (target.kind == FormulaKind::formal) statement.kind = StatementKind::assign_formal;
   if (target.kind == FormulaKind::local) statement.kind = StatementKind::assign_local;

@@ -205,6 +205,7 @@ double left_in_shade(const Preset& preset) {
 
 /// What the entries of a preset add up to.
 struct Sums {
+  FilmPart part;
   CostEstimate f;
   ViewCostEstimate view;
   bool changing = false;
@@ -212,6 +213,7 @@ struct Sums {
   double still = 0;                      // of what stands and lies, the same in all frames
   double most = 0, growing = 0;          // bytes of the largest entry; of memory while the largest grows
   double body_seconds = 0, body_memory = 0;
+  double standing = 0;  // triangles of bodies, each of their blocks as such
   // Names of pictures and models that are counted: several entries may share them.
   std::set<std::string> drawn, grown;
 
@@ -280,6 +282,10 @@ void Sums::add_standing(const Preset& preset, std::size_t o, const SizeEstimate&
   f.scene_memory += count * held + kHeldTriangle * size.shapes;
   f.frame_memory += count * (grower.develops(preset.film.frames > 1) ? held : 0) + kPosedNode * size.nodes +
                     kPosedOrgan * size.organs + (wood.bytes > kMovingNode * size.nodes ? own : 0);
+  // A block is one of about so many shapes.
+  constexpr double kBlockShapes = 13;
+  standing += count * size.triangles * std::max(1.0, size.blocks / kBlockShapes);
+  f.ungrown_bytes += count * own * frames_ungrown(preset.film, dress.motion.growth, part);
   body_memory = std::max(body_memory, wood.memory);
   body_seconds += count * wood.seconds;
   growing = std::max(growing, (together ? count : 1) * grows);
@@ -293,8 +299,9 @@ void Sums::add_standing(const Preset& preset, std::size_t o, const SizeEstimate&
   if (count * own + solid > most) most = count * own + solid, f.largest = o;
 }
 
-Result<Sums> sums_of(const Preset& preset) {
+Result<Sums> sums_of(const Preset& preset, FilmPart part) {
   Sums sums;
+  sums.part = part;
   MaskCostEstimate masks = estimate_masks(preset);
   sums.f.scene_memory = masks.held;
   sums.growing = masks.read;
@@ -344,12 +351,13 @@ double CostEstimate::memory(int at_once) const {
 
 double ViewCostEstimate::wait(int threads) const { return std::max(seconds / std::max(1, threads), longest); }
 
-Result<CostEstimate> estimate_cost(const Preset& preset, int frames) {
-  Result<Sums> sums = sums_of(preset);
+Result<CostEstimate> estimate_cost(const Preset& preset, FilmPart part) {
+  Result<Sums> sums = sums_of(preset, part);
   if (!sums) return sums.errors();
   CostEstimate& f = sums->f;
-  GroundCostEstimate ground = estimate_ground_cost(preset, tallest_of(preset), f.copies > kCrowdedLight);
-  f.frames = frames;
+  GroundCostEstimate ground =
+      estimate_ground_cost(preset, tallest_of(preset), f.copies > kCrowdedLight, sums->standing);
+  f.frames = part.count();
   f.resolve_memory = estimate_resolving(preset);
   f.exposures = exposures(preset.film, preset.stage.camera);
   f.scene_memory += kProgram + ground.memory;
@@ -372,13 +380,14 @@ Result<CostEstimate> estimate_cost(const Preset& preset, int frames) {
     f.picture_bytes += kRawBytes * preset.film.drawn_size()[0] * preset.film.drawn_size()[1];
   f.render_seconds = f.exposures * render_seconds(f, sums->text, ground.tracing, preset.film);
   f.frame_bytes = f.exposures * (sums->text + ground.pictures) + (each ? ground.light_bytes : 0);
+  f.ungrown_bytes *= f.exposures;
   if (!each) f.shared_bytes += ground.light_bytes;
   f.frame_seconds += f.exposures * (sums->text / kBytesWritten + sums->body_seconds + ground.picture_seconds);
   return std::move(f);
 }
 
 Result<ViewCostEstimate> estimate_view_cost(const Preset& preset) {
-  Result<Sums> sums = sums_of(preset);
+  Result<Sums> sums = sums_of(preset, {});
   if (!sums) return sums.errors();
   ViewCostEstimate& view = sums->view;
   view.nodes = sums->f.nodes;

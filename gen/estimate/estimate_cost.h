@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/machine.h"
+#include "estimate/estimate_growth.h"
 #include "scene/preset.h"
 
 namespace frond {
@@ -12,8 +13,9 @@ struct CostEstimate {
   double organisms = 0, modules = 0, nodes = 0, organs = 0;  ///< of all that grows with the scene
   double copies = 0, models = 0;                             ///< of what is sown, and what they are copies of
   int frames = 0, exposures = 1;                             ///< of the film; scenes of each frame
-  double frame_bytes = 0;   ///< of the text of one frame when all is grown, and of what it alone reads
-  double shared_bytes = 0;  ///< of all files that frames share
+  double frame_bytes = 0;    ///< of the text of one frame when all is grown, and of what it alone reads
+  double shared_bytes = 0;   ///< of all files that frames share
+  double ungrown_bytes = 0;  ///< by which all frames together are smaller, as not all has grown in each
   double scene_memory = 0, frame_memory = 0;  ///< bytes: while frames are written, and more for each at work
   double growth_memory = 0;                   ///< the most that is held before the first is written
   double growth_seconds = 0, frame_seconds = 0;  ///< before the frames; for each
@@ -26,7 +28,7 @@ struct CostEstimate {
   int at_once(const Machine& machine) const;
   double memory(int at_once) const;
   /// What the frames take before they are rendered, and with their pictures.
-  double written() const { return frames * frame_bytes + shared_bytes; }
+  double written() const { return frames * frame_bytes - ungrown_bytes + shared_bytes; }
   double disk() const { return written() + frames * picture_bytes; }
   /// Of a processor, until all frames are written.
   double seconds() const { return growth_seconds + frames * frame_seconds; }
@@ -44,8 +46,8 @@ struct ViewCostEstimate {
   double wait(int threads) const;
 };
 
-/// Of so many frames of the preset. A derivation past its limits is refused.
-Result<CostEstimate> estimate_cost(const Preset& preset, int frames);
+/// Of a part of the preset's film. A derivation past its limits is refused.
+Result<CostEstimate> estimate_cost(const Preset& preset, FilmPart part);
 
 /// The same for a view. Entries of which there are none to grow cost nothing.
 Result<ViewCostEstimate> estimate_view_cost(const Preset& preset);

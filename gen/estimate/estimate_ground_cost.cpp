@@ -31,7 +31,9 @@ constexpr double kDenseCover = 2;       // m2 of leaves a square metre
 // Bytes of memory that a cell and a line take; seconds of each.
 constexpr double kCellHeld = 29, kProbeHeld = 150;
 constexpr double kCellLit = 5.4e-8, kProbeLit = 4.1e-6;
-constexpr double kPlainLight = 0.65;  // of the time that rays take whose light passes through a picture
+constexpr double kTriangleLit = 1.4e-7;  // of one that stands before it is in the grids
+constexpr double kFarVertexLaid = 5e-6;  // seconds: of the far land, for the forecast and again
+constexpr double kPlainLight = 0.65;     // of the time that rays take whose light passes through a picture
 // Of the snow on the ground, a triangle: bytes of text, of memory, seconds. Of puddles: bytes and seconds.
 constexpr double kSnowText = 40, kSnowHeld = 190, kSnowLaid = 8e-6;
 constexpr double kPuddlesText = 3e5, kPuddlesFilled = 0.05;
@@ -43,8 +45,9 @@ constexpr double kOwnPixelBytes = 0.25, kOwnPixelSeconds = 8e-7;
 double tallest_of(const Preset& preset) {
   const Camera& camera = preset.stage.camera;
   Vec3 at = camera.location.at(0), to = camera.look_at.at(0);
+  constexpr double kTallest = 20;  // metres, of what does not know it
   double half = std::tan(radians(camera.angle.at(0)) / 2) * preset.film.aspect();
-  double seen = to.y + glm::distance(at, to) * half, tall = 0;
+  double seen = std::min(kTallest, to.y + glm::distance(at, to) * half), tall = 0;
   for (const Organism& organism : preset.organisms) {
     if (organism.count == 0 && !organism.sown) continue;
     double own = organism.grower->tallest() * (1 + organism.place.size_variation) + organism.place.raise;
@@ -53,7 +56,7 @@ double tallest_of(const Preset& preset) {
   return tall;
 }
 
-GroundCostEstimate estimate_ground_cost(const Preset& preset, double tall, bool crowded) {
+GroundCostEstimate estimate_ground_cost(const Preset& preset, double tall, bool crowded, double standing) {
   GroundCostEstimate cost;
   const SettingAnswers& setting = settings()[preset.stage.setting].answers;
   GroundSizeEstimate laid = setting.estimate_size(preset.stage, preset.film);
@@ -76,12 +79,15 @@ GroundCostEstimate estimate_ground_cost(const Preset& preset, double tall, bool 
     ground->lay_litter(scene.stage.camera);
   }
   scene.ground = std::move(ground);
-  if (std::optional<FarCountry> far = far_land_round(scene, Seed{preset.seed}.child("far")))
+  if (std::optional<FarCountry> far = far_land_round(scene, Seed{preset.seed}.child("far"))) {
+    for (const FarPart& part : far->parts)
+      cost.seconds += kFarVertexLaid * static_cast<double>(part.surface.position.size());
     scene.far = std::make_shared<const FarCountry>(std::move(*far));
+  }
   cost.bytes = moment ? static_cast<double>(ground_text(PovSpace{}, scene).size())
                       : kLaidTriangleText * laid.triangles + kGrassTriangleText * laid.grass +
                             kLaidPlacementText * laid.placed;
-  cost.seconds = pieces / kGroundLaid + cost.bytes / kGroundWritten;
+  cost.seconds += pieces / kGroundLaid + cost.bytes / kGroundWritten;
   if (is_snowy(preset.stage) && preset.stage.snow.deepest() > 0) {
     double rings = snow_rings(preset.film.quality), triangles = 4 * rings * rings;
     cost.bytes += kSnowText * triangles, cost.memory += kSnowHeld * triangles;
@@ -96,7 +102,7 @@ GroundCostEstimate estimate_ground_cost(const Preset& preset, double tall, bool 
   if (crowded) probes *= kCrowdedProbes;
   cost.light_bytes = kProbeText * probes;
   cost.light_memory = kCellHeld * light.cells + kProbeHeld * probes;
-  cost.light_seconds = kCellLit * light.cells + kProbeLit * probes;
+  cost.light_seconds = kCellLit * light.cells + kProbeLit * probes + kTriangleLit * standing;
   return cost;
 }
 

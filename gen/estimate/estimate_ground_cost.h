@@ -14,10 +14,10 @@ struct GroundCostEstimate {
   double tracing = 1;          ///< share of the time that rays take where there are such pictures
 };
 
-/// `tall`: metres to which things rise from it; `crowded`: whether what is sown fills the view. The ground is
-/// laid and its text written, unless that is estimated to take more than a moment; how large the grids of
-/// light are follows from the camera.
-GroundCostEstimate estimate_ground_cost(const Preset& preset, double tall, bool crowded);
+/// `tall`: metres to which things rise from it; `crowded`: whether what is sown fills the view; `standing`:
+/// triangles of all bodies that stand on it. The ground is laid and its text written, unless that is
+/// estimated to take more than a moment; how large the grids of light are follows from the camera.
+GroundCostEstimate estimate_ground_cost(const Preset& preset, double tall, bool crowded, double standing);
 
 /// About how tall things in the preset are: as its camera sees them, where they do not know it themselves.
 double tallest_of(const Preset& preset);

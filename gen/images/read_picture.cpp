@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "images/jpeg_turn.h"
+#include "images/picture_turn.h"
 
 namespace frond {
 
@@ -57,7 +57,7 @@ Result<Raster> read_webp(std::string_view bytes) {
   if (!decode(first_byte(bytes), bytes.size(), raster.data.data(), raster.data.size(),
               raster.width * raster.channels))
     return Error{"", "is a damaged WebP"};
-  return raster;
+  return turned(raster, webp_turn(bytes));
 }
 
 /// What a file is that is none of these, by its first bytes.

@@ -84,11 +84,13 @@ Errors check_edge(double edge, double across, double parts) {
 
 SizeEstimate estimate_surface(double area, double edge) {
   constexpr double kSheetTriangle = 4e-6;  // seconds of one that is laid
+  constexpr double kLongRow = 300;  // triangles across; in longer rows each is held against more others
   SizeEstimate sight;
   sight.triangles = 3 * area / (edge * edge);
   sight.area = area;
   sight.blocks = 1;
-  sight.seconds = kSheetTriangle * sight.triangles;
+  double across = std::sqrt(area) / edge;
+  sight.seconds = kSheetTriangle * sight.triangles * std::max(1.0, std::pow(across / kLongRow, 2));
   sight.held = kPastTriangle * sight.triangles;
   return sight;
 }

@@ -2,6 +2,7 @@
 
 #include "cpfg/cpfg.h"
 #include "grammar/figure.h"
+#include "organisms/cpfg_picture.h"
 #include "python/python.h"
 
 namespace frond {
@@ -91,6 +92,12 @@ void add_cpfg_models(py::module_& module) {
           "draw",
           [](const ModelPtr& m, std::optional<int> count) {
             return figure_of_model(or_raise(draw(*m, derived(*m, count, true).drawing)));
+          },
+          steps)
+      .def(
+          "picture",
+          [](const ModelPtr& m, std::optional<int> count) {
+            return svg_of(drawing_of(or_raise(draw(*m, derived(*m, count, true).drawing))));
           },
           steps);
 }

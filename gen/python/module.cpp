@@ -1,3 +1,4 @@
+#include "core/home.h"
 #include "core/parallel.h"
 #include "python/python.h"
 
@@ -18,6 +19,7 @@ PYBIND11_MODULE(_frond, module) {
   using namespace frond;
   module.attr("__version__") = FROND_VERSION;
   module.def("limit_threads", &limit_threads, py::arg("count"));
+  module.def("set_home", &set_home_folder, py::arg("folder"));
   add_models(module);
   add_presets(module);
   add_grammars(module);

@@ -74,9 +74,16 @@ void add(Outside& outside, const Model& m) {
     for (const Vec3& p : corners[which]) outside.add(at + m.organs.turn[i] * (scale * p));
   }
   for (const Vec3& p : m.blades.surface.position) outside.add(p);
-  for (std::size_t i = 0; i < m.solids.size(); ++i)
+  std::vector<Bounds> boxes;
+  for (const Solid& solid : m.solids.shapes) boxes.push_back(bounds_of(solid.surface.position));
+  for (std::size_t i = 0; i < m.solids.size(); ++i) {
+    const Bounds& box = boxes[m.solids.shape[i]];
+    Vec3 middle = 0.5f * (box.low + box.high), wide = m.solids.scale[i] * (box.high - box.low);
+    constexpr float kRoom = 0.51f;  // of its diagonal round its middle, with what rounding may take
+    if (!outside.may_hold(m.solids.placed(i, middle), kRoom * glm::length(wide))) continue;
     for (const Vec3& p : m.solids.shapes[m.solids.shape[i]].surface.position)
       outside.add(m.solids.placed(i, p));
+  }
 }
 
 struct View {

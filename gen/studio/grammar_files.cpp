@@ -9,6 +9,7 @@
 #include "core/utf8.h"
 #include "core/work_folder.h"
 #include "cpfg/cpfg.h"
+#include "organisms/cpfg_picture.h"
 #include "organisms/grammar_file.h"
 #include "studio/carry.h"
 
@@ -18,8 +19,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kShownLetters = 4000;  // characters
-constexpr std::size_t kMostShown = 1 << 20;  // bytes of a file that is shown
+constexpr std::size_t kShownLetters = 4000;   // characters
+constexpr std::size_t kMostShown = 1 << 20;   // bytes of a file that is shown
+constexpr std::size_t kMostWalked = 300'000;  // modules of a word that is drawn
+constexpr std::size_t kMostDrawn = 30'000;    // lines and polygons of a picture
 constexpr int kMostFolders = 1000;
 constexpr const char* kCommandLine = "specifications";  // of cpfg, for a model
 /// So that the page is answered in a second or so.
@@ -64,6 +67,14 @@ Errors faults_of(const fs::path& grammar) {
   return compiled ? Errors{} : compiled.errors();
 }
 
+/// What a model's turtle draws, as SVG; null where that is much, or a file for it is missing.
+Json picture_of(const CpfgModel& model, const CpfgDrawing& drawing) {
+  if (drawing.word.modules.size() > kMostWalked) return nullptr;
+  Result<CpfgFigure> figure = draw(model, drawing);
+  if (!figure || pieces_of(*figure) > kMostDrawn) return nullptr;
+  return svg_of(drawing_of(*figure));
+}
+
 /// Adds what becomes of a model.
 Errors add_word(const CpfgModel& model, const Json& question, Json& answer) {
   const int last = film_of(model, model.steps).last;
@@ -74,8 +85,12 @@ Errors add_word(const CpfgModel& model, const Json& question, Json& answer) {
   request.limits = kShownLimits;
   answer["of"] = last, answer["steps"] = *request.steps;
   for (const std::string& note : model.notes) answer["notes"].push_back(note);
+  request.drawing = true;
   Result<CpfgDerived> derived = derive(model, request);
+  // What is drawn may be too long where the word is not.
+  if (!derived) request.drawing = false, derived = derive(model, request);
   if (!derived) return derived.errors();
+  if (request.drawing) answer["svg"] = picture_of(model, derived->drawing);
   for (const std::string& note : derived->notes) answer["notes"].push_back(note);
   answer["word"] = text(derived->word, model).substr(0, kShownLetters);
   answer["length"] = derived->word.modules.size();
@@ -163,6 +178,7 @@ Answer grammar_files(const Documents& documents, const Json& question) {
               {"word", nullptr},
               {"length", nullptr},
               {"counts", Json::object()},
+              {"svg", nullptr},
               {"notes", Json::array()},
               {"errors", Json::array()}};
   for (const fs::path& file : files_of_grammar(*grammar))

@@ -226,7 +226,7 @@ Result<std::string> Scenes::look(const std::string& file) {
   Film& film = preset->film;
   film.size = look_size(film, kLookWide);
   film.quality = Quality::draft;
-  Result<CostEstimate> estimate = estimate_cost(*preset, 1);
+  Result<CostEstimate> estimate = estimate_cost(*preset, {1, 1});
   if (!estimate) return estimate.errors();
   if (estimate->growth_seconds > kLongestLook) return Error{file, "takes long to grow"};
   auto given_up = [this, views = views_.load()] { return ending_ || views_ != views; };

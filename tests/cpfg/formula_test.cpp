@@ -44,6 +44,20 @@ TEST(CpfgFormula, OnlyWhatIsNeededIsEvaluated) {
   EXPECT_EQ(skipped, word_of("Start: {srand(1);}\nAxiom: A(ran(1))\nA --> A"));
 }
 
+TEST(CpfgFormula, IsAStatementForWhatItsCallsDo) {
+  for (const char* statement : {"-x;", "x;", "(x);", "5;", "a[1];", "x == 3;", "x ? 1 : 2;", "!x; -x;"})
+    EXPECT_EQ(word_of("Define: {array a[2];}\nStart: {x = 1; " + std::string(statement) +
+                      "}\nAxiom: A(x)\nA --> A"),
+              "A(1)")
+        << statement;
+  EXPECT_EQ(word_of("Start: {srand(1); -ran(1);}\nAxiom: A(ran(1))\nA --> A"), "A(0.45449245)");
+  EXPECT_EQ(word_of("derivation length: 1\nAxiom: A(2)\nA(x) : {-x;} 1 {x; x = x + 1;} --> B(x)"), "B(3)");
+  for (const char* wrong : {"-x = 3;", "(x) = 3;", "2 = x;", "sin(1) = 2;"})
+    EXPECT_NE(word_of("Start: {" + std::string(wrong) + "}\nAxiom: A\nA --> A").find("expected a statement"),
+              std::string::npos)
+        << wrong;
+}
+
 TEST(CpfgChance, IsTheGeneratorOfTheCLibrary) {
   // drand48 after srand48(1) gives 0.0416303447718782, 0.454492444728629; X = 0x330E begins as srand48(0).
   EXPECT_EQ(word_of("Start: {srand(1);}\nAxiom: A(ran(1),ran(1))\nA --> A"), "A(0.041630346,0.45449245)");

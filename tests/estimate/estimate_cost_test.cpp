@@ -16,7 +16,7 @@ Preset preset_at(const std::string& path, const std::vector<std::string>& sets =
   return *read_preset(*read_file(FROND_ROOT "/" + path), path, sets);
 }
 
-CostEstimate estimate_of(const Preset& preset) { return *estimate_cost(preset, preset.film.frames); }
+CostEstimate estimate_of(const Preset& preset) { return *estimate_cost(preset, {1, preset.film.frames}); }
 
 TEST(CostEstimate, IsWithinAFactorOfTwoOfWhatIsWritten) {
   std::string layout = *read_file(FROND_ROOT "/templates/frame.pov");
@@ -58,6 +58,25 @@ TEST(CostEstimate, CountsModelsOfWhatIsSownAndNotTheirCopies) {
   EXPECT_LT(many.scene_memory, 1.1 * few.scene_memory);
 }
 
+TEST(CostEstimate, CountsLittleOfWhatHasHardlyGrownInTheFirstFrames) {
+  Preset preset = preset_at("presets/lsystems/growing-tree-2.6.json");
+  int last = preset.film.frames;
+  CostEstimate first = *estimate_cost(preset, {1, 1}), whole = *estimate_cost(preset, {last, last});
+  EXPECT_GT(first.ungrown_bytes, 0);
+  EXPECT_EQ(whole.ungrown_bytes, 0);
+  EXPECT_LT(first.written(), whole.written());
+  EXPECT_EQ(first.frame_bytes, whole.frame_bytes) << "the most that a frame has";
+}
+
+TEST(CostEstimate, KnowsThatLongRowsOfASheetTakeLongerEach) {
+  auto seconds = [](const char* edge) {
+    return estimate_of(preset_at("templates/new/table.json",
+                                 {"/organisms/0/across=0.2", std::string("/organisms/0/edge=") + edge}))
+        .growth_seconds;
+  };
+  EXPECT_GT(seconds("0.0005"), 8 * seconds("0.001"));  // 26 s and 3
+}
+
 TEST(CostEstimate, RefusesAFilmThatTheDiskCannotHold) {
   Preset preset = preset_at("presets/staghorn.json", {"/film/frames=100000"});
   CostEstimate f = estimate_of(preset);
@@ -68,7 +87,7 @@ TEST(CostEstimate, RefusesAFilmThatTheDiskCannotHold) {
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_NE(errors[0].what.find("GB, 100000 frames"), std::string::npos) << errors[0].what;
   EXPECT_NE(errors[0].what.find("80 GB of the disk are free"), std::string::npos) << errors[0].what;
-  EXPECT_TRUE(refuse(*estimate_cost(preset, 24), machine).empty());
+  EXPECT_TRUE(refuse(*estimate_cost(preset, {1, 24}), machine).empty());
 }
 
 TEST(CostEstimate, ReckonsRenderingByPixelsAndQuality) {

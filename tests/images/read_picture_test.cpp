@@ -4,8 +4,8 @@
 #include <turbojpeg.h>
 #include <webp/encode.h>
 
-#include "images/jpeg_turn.h"
 #include "images/photo.h"
+#include "images/picture_turn.h"
 
 namespace frond {
 namespace {
@@ -33,12 +33,17 @@ std::string jpeg_of(const Raster& raster) {
   return text;
 }
 
-/// The same with an EXIF that says how the camera was held.
-std::string held(std::string jpeg, char turn) {
+const std::string kExif("Exif\0\0", 6);
+
+/// The data of an EXIF that says how the camera was held.
+std::string tiff_of(char turn) {
   std::string tiff("MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0", 19);
-  tiff += turn;
-  tiff += std::string("\0\0\0\0\0\0", 6);
-  std::string data = std::string("Exif\0\0", 6) + tiff;
+  return tiff + turn + std::string("\0\0\0\0\0\0", 6);
+}
+
+/// The same with an EXIF.
+std::string held(std::string jpeg, char turn) {
+  std::string data = kExif + tiff_of(turn);
   std::string segment("\xff\xe1\0", 3);
   segment += static_cast<char>(data.size() + 2);
   return jpeg.insert(2, segment + data);
@@ -53,6 +58,23 @@ std::string webp_of(const Raster& raster) {
   std::string text(reinterpret_cast<char*>(bytes), size);
   WebPFree(bytes);
   return text;
+}
+
+/// A chunk of a WebP.
+std::string chunk(const char* name, const std::string& data) {
+  std::string text = name;
+  for (int i = 0; i < 4; ++i) text += static_cast<char>(data.size() >> 8 * i & 255);
+  return text + data + std::string(data.size() % 2, '\0');
+}
+
+/// A flag as WebP with an EXIF.
+std::string held_webp(const std::string& exif, int channels = 3) {
+  std::string pixels = webp_of(flag(channels)).substr(12);
+  if (pixels.starts_with("VP8X")) pixels.erase(0, 18);
+  std::string extended("\x08\0\0\0\x1f\0\0\x0f\0\0", 10);  // 32 x 16, with EXIF
+  if (channels == 4) extended[0] |= 0x10;
+  std::string whole = "WEBP" + chunk("VP8X", extended) + pixels + chunk("EXIF", exif);
+  return chunk("RIFF", whole);
 }
 
 bool red(const Raster& p, int x, int y) { return p.at(x, y, 0) > 200 && p.at(x, y, 2) < 50; }
@@ -91,6 +113,25 @@ TEST(ReadPicture, AJpegStandsAsTheCameraWasHeld) {
   ASSERT_TRUE(half);
   EXPECT_TRUE(blue(*half, 3, 8));
   EXPECT_EQ(jpeg_turn(held(jpeg_of(flag()), 9)), 1) << "no such way to hold one";
+}
+
+TEST(ReadPicture, AWebpStandsAsTheCameraWasHeld) {
+  for (const std::string& before : {std::string(), kExif}) {
+    Result<Raster> upright = read_picture(held_webp(before + tiff_of(6)));
+    ASSERT_TRUE(upright) << upright.errors()[0].text();
+    EXPECT_EQ(upright->width, 16);
+    EXPECT_EQ(upright->height, 32);
+    EXPECT_TRUE(red(*upright, 8, 3)) << "what was left is above";
+    EXPECT_TRUE(blue(*upright, 8, 28));
+  }
+  Result<Raster> clear = read_picture(held_webp(tiff_of(6), 4));
+  ASSERT_TRUE(clear);
+  EXPECT_EQ(clear->at(3, 8, 3), 0) << "what was below is left";
+  EXPECT_EQ(clear->at(12, 8, 3), 255);
+  EXPECT_EQ(webp_turn(webp_of(flag())), 1);
+  EXPECT_EQ(webp_turn(held_webp(tiff_of(9))), 1) << "no such way to hold one";
+  std::string whole = held_webp(tiff_of(6));
+  for (std::size_t end = 0; end < whole.size(); ++end) EXPECT_LE(webp_turn(whole.substr(0, end)), 8);
 }
 
 TEST(ReadPicture, EveryTurnAndBackIsThePictureItself) {

@@ -6,6 +6,7 @@
 import contextlib
 import io
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -53,6 +54,15 @@ class Presets(unittest.TestCase):
     def test_of_every_file_are_right(self):
         for file in sorted((ROOT / "presets/garden").glob("*.json")):
             self.assertEqual(frond.check(file), [], file)
+
+    def test_may_name_species_of_fronds_own(self):
+        code = "import frond; print(frond.Preset({'organisms': [{'species': 'bush.json'}]}).grow().nodes)"
+        bare = {name: value for name, value in os.environ.items() if name != "FROND_HOME"}
+        with tempfile.TemporaryDirectory() as folder:
+            grown = subprocess.run([sys.executable, "-c", code], env={**bare, "PYTHONPATH": os.path.abspath(sys.argv[2])}, cwd=folder,
+                                   capture_output=True, text=True)
+            self.assertEqual(grown.stderr, "")
+            self.assertGreater(int(grown.stdout), 100)
 
     def test_schema_and_kinds(self):
         self.assertEqual(json.loads((ROOT / "docs/preset.schema.json").read_text()), frond.schema())
@@ -154,6 +164,10 @@ class Grammars(unittest.TestCase):
         self.assertEqual(str(word), said("derive", file).rstrip("\n"))
         self.assertEqual("".join(f"{name} {count}\n" for name, count in sorted(word.counts.items())),
                          said("derive", file, "--format", "counts"))
+        with tempfile.TemporaryDirectory() as folder:
+            svg = pathlib.Path(folder) / "maple.svg"
+            said("turtle", file, "--steps", 3, "--svg", svg)
+            self.assertEqual(model.picture(3), svg.read_text())
         figure = model.draw(2)
         measured = json.loads(said("turtle", file, "--steps", 2))
         self.assertGreaterEqual(len(figure.skeleton), measured["segments"])

@@ -16,6 +16,7 @@ import pathlib
 import frond
 
 assert pathlib.Path(frond.__file__).parent == pathlib.Path("site/frond").resolve(), frond.__file__
+assert frond.Preset({"organisms": [{"species": "bush.json"}]}).grow().nodes > 100
 preset = frond.Preset({"film": {"frames": 2, "size": [64, 36]}, "organisms": [{"kind": "coral"}]})
 assert preset.grow().organisms[0].skeleton.position.shape[1] == 3
 assert frond.render(preset, "film", quality="draft").wait().stat().st_size > 0

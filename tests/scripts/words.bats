@@ -137,3 +137,25 @@ setup() {
   run "$frond" describe winter
   [[ $output == *"presets/garden/winter.json"* ]]
 }
+
+@test "resolve tells that it is still at work" {
+  make_preset film.json 1
+  # A raw still is drawn twice as wide and high. Its light is nothing.
+  mkdir -p out/film/raw
+  python3 - out/film/raw/frame_0001.png 4800 3600 <<'PNG'
+import struct, sys, zlib
+name, wide, high = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
+def chunk(kind, data):
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+open(name, "wb").write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", wide, high, 8, 2, 0, 0, 0))
+                       + chunk(b"IDAT", zlib.compress(bytes((1 + 3 * wide) * high))) + chunk(b"IEND", b""))
+PNG
+  mkfifo told
+  "$frond" resolve film.json --size 2400x1800 --side 16 2>told 3>&- &
+  while read -r line; do
+    [[ $line != "still resolving frames ("*" s)" ]] || break
+  done <told
+  kill $! 2>/dev/null || true
+  echo "$line"
+  [[ $line == "still resolving frames ("*" s)" ]]
+}

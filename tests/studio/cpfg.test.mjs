@@ -34,6 +34,7 @@ test('a model of cpfg shows its files, and an edit of one changes the picture an
   assert.equal(await page.getByTestId('grammar-file:lilac.v').count(), 1);
   assert.ok(await page.getByTestId('axiom').isHidden(), 'what the model does not read is not offered');
   await page.waitForFunction(() => document.querySelector('[data-testid=word]')?.textContent.length > 10);
+  await page.waitForFunction(() => document.querySelector('[data-testid=turtle-svg]').naturalWidth > 0);
 
   // What cannot be read is told with its line, and nothing else happens.
   await rules.fill(was.replace('endlsystem', 'A --> (\nendlsystem'));

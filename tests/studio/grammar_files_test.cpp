@@ -43,6 +43,7 @@ TEST_F(GrammarFilesTest, AModelOfCpfgShowsItsFilesAndItsWord) {
   EXPECT_EQ(answer.json["steps"], 1);
   EXPECT_GT(answer.json["of"], 1);
   EXPECT_FALSE(answer.json["word"].get<std::string>().empty());
+  EXPECT_TRUE(answer.json["svg"].get<std::string>().starts_with("<svg"));
   EXPECT_TRUE(answer.json["errors"].empty());
   EXPECT_EQ(grammar_files(documents(), {{"file", "/etc/passwd"}}).status, 403);
 }

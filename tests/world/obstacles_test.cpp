@@ -1,8 +1,31 @@
 #include "world/obstacles.h"
 
+#include <dlfcn.h>
+#include <embree3/rtcore.h>
 #include <gtest/gtest.h>
 
 #include "solids.h"
+
+namespace {
+
+enum class Lack { nothing, device, memory };
+Lack lack = Lack::nothing;
+
+template <class Function>
+Function* of_embree(const char* name) {
+  return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
+}
+
+}  // namespace
+
+// These stand before Embree's own, which they call unless they are to fail.
+RTC_API RTCDevice rtcNewDevice(const char* config) {
+  return lack == Lack::device ? nullptr : of_embree<RTCDevice(const char*)>("rtcNewDevice")(config);
+}
+RTC_API RTCError rtcGetDeviceError(RTCDevice device) {
+  if (lack == Lack::memory) return RTC_ERROR_OUT_OF_MEMORY;
+  return of_embree<RTCError(RTCDevice)>("rtcGetDeviceError")(device);
+}
 
 namespace frond {
 namespace {
@@ -21,6 +44,19 @@ TEST(Obstacles, BodiesWithoutAnAreaAreNone) {
   ASSERT_TRUE(none) << "it is no fault that one can do anything about";
   EXPECT_EQ(none->way(Vec3(0, -1, 0), Vec3(0, 1, 0), 1), Vec3(0, 1, 0));
   EXPECT_TRUE(Obstacles::build({}));
+}
+
+TEST(Obstacles, TellWhereEmbreeFails) {
+  Surface body = box(Vec3(-1), Vec3(1));
+  for (Lack what : {Lack::device, Lack::memory}) {
+    lack = what;
+    Result<Obstacles> none = Obstacles::build({&body, 1});
+    lack = Lack::nothing;
+    ASSERT_FALSE(none) << "limbs would grow through what stands there";
+    EXPECT_EQ(none.errors()[0].text(),
+              "the bodies that branches bend round: Embree could not build its tree");
+  }
+  EXPECT_TRUE(Obstacles::build({&body, 1})) << "it is over";
 }
 
 TEST(Obstacles, LeaveAloneWhatIsFarFromThem) {

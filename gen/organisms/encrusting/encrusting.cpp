@@ -70,8 +70,9 @@ class EncrustingGrower final : public BodyColony<EncrustingParams> {
     return longer_edges(*this, share, [](auto& p) -> double& { return p.edge; });
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
+    constexpr double kLaidTriangle = 1.2e-5;  // seconds: each is laid on what is below it
     SizeEstimate sight = estimate_surface(0.8 * params.across * params.across, params.edge);
-    sight.seconds *= 5;  // each row is laid on what is below it
+    sight.seconds = kLaidTriangle * sight.triangles;
     return sight;
   }
   Result<Model> grow_at(const Surroundings& around, Seed seed) const override {

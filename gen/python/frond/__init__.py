@@ -18,10 +18,15 @@ of what they were taken from, and keep it alive. A turn is a quaternion (x, y, z
 """
 
 from ._frond import Bodies, CpfgModel, CpfgWord, Figure, Mesh, Organism, Organs, Pose, Skeleton, Word, __version__, kinds, limit_threads, settings
+from ._frond import set_home as _set_home
 from .faults import Fault, FrondError
 from .grammars import Grammar
+from .home import home as _home
 from .presets import Part, Preset, Scene, check, read, schema
 from .rendering import Render, render
+
+if _folder := _home():
+    _set_home(_folder)
 
 __all__ = [
     "Bodies", "CpfgModel", "CpfgWord", "Fault", "Figure", "FrondError", "Grammar", "Mesh", "Organism", "Organs", "Part",

@@ -12,6 +12,9 @@ __version__: str
 def limit_threads(count: int) -> None:
     """How many threads growing uses from now on; 0: as many as there are processors."""
 
+def set_home(folder: Path) -> None:
+    """Where presets that come with Frond are found by their names, unless $FROND_HOME says it."""
+
 class Skeleton:
     """Branches, an entry a node; `len()` is their number. A segment runs from a node's parent to the node."""
 
@@ -214,6 +217,8 @@ class CpfgModel:
         """The word after so many steps, those of the model unless they are given."""
     def draw(self, steps: Optional[int] = ...) -> Figure:
         """What its turtle draws, in its own units: branches, polygons as outlines, and where its surfaces stand as sites."""
+    def picture(self, steps: Optional[int] = ...) -> str:
+        """What its turtle draws, seen along the z axis, as SVG."""
 
 class Scene:
     organisms: List[Organism]

@@ -259,6 +259,8 @@ export interface GrammarFiles {
   word: string | null;
   length: number | null;
   counts: Record<string, number>;
+  /** What a model's turtle draws; null where that is much, and not told by an older server. */
+  svg?: string | null;
   notes: string[];
   errors: Fault[];
 }

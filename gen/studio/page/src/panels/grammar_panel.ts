@@ -125,7 +125,7 @@ export function grammarPanel(store: Store): { element: HTMLElement; opened(): vo
     stepsShown.textContent = `${steps.value} of ${most}`;
     outcome.classList.toggle("stale", read.word === null);
     if (read.word === null) return;
-    showOutcome({ word: read.word, length: read.length ?? 0, counts: read.counts, steps: read.steps, tree: null, svg: null, predicted: null });
+    showOutcome({ word: read.word, length: read.length ?? 0, counts: read.counts, steps: read.steps, tree: null, svg: read.svg ?? null, predicted: null });
     if (read.notes.length) figures.textContent += ` ${read.notes.join(" ")}`;
   }
   function showOutcome(derived: api.Derived): void {

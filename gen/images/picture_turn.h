@@ -9,6 +9,8 @@ namespace frond {
 /// How a camera was held as it took a JPEG, as its EXIF tells (tag 0x0112): 1 upright .. 8; 1 where it does
 /// not tell.
 int jpeg_turn(std::string_view bytes);
+/// The same of a WebP.
+int webp_turn(std::string_view bytes);
 
 /// A picture of that number, upright.
 Raster turned(const Raster& from, int turn);

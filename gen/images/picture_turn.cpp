@@ -1,4 +1,4 @@
-#include "images/jpeg_turn.h"
+#include "images/picture_turn.h"
 
 #include <cstdint>
 
@@ -26,33 +26,46 @@ class Tiff {
 };
 
 constexpr std::uint32_t kOrientation = 0x0112;
+constexpr std::string_view kExif("Exif\0\0", 6);  // before the TIFF header, in WebP at will
 
-/// Of the data of an EXIF segment.
+/// Of the data of EXIF; 1 where they hold none, or none that there is.
 int orientation_of(std::string_view tiff) {
   constexpr std::size_t kEntry = 12;  // bytes
   Tiff data(tiff);
   std::size_t first = data.number(4, 4), count = data.number(first, 2);
   for (std::size_t i = 0; i < count && first + 2 + kEntry * (i + 1) <= tiff.size(); ++i)
-    if (std::size_t entry = first + 2 + kEntry * i; data.number(entry, 2) == kOrientation)
-      return static_cast<int>(data.number(entry + 8, 2));
+    if (std::size_t entry = first + 2 + kEntry * i; data.number(entry, 2) == kOrientation) {
+      auto turn = static_cast<int>(data.number(entry + 8, 2));
+      return turn >= 1 && turn <= 8 ? turn : 1;
+    }
   return 1;
 }
 
 }  // namespace
 
 int jpeg_turn(std::string_view bytes) {
-  constexpr std::string_view kExif("Exif\0\0", 6);
   // Segments of a marker and a length, up to where the picture begins.
   for (std::size_t at = 2; at + 4 <= bytes.size() && bytes[at] == '\xff';) {
     auto byte = [&](std::size_t i) { return static_cast<std::size_t>(static_cast<unsigned char>(bytes[i])); };
     std::size_t marker = byte(at + 1), length = byte(at + 2) << 8 | byte(at + 3);
     if (marker == 0xda || length < 2) break;
     std::string_view data = bytes.substr(at + 4, length - 2);
-    if (marker == 0xe1 && data.starts_with(kExif)) {
-      int turn = orientation_of(data.substr(kExif.size()));
-      return turn >= 1 && turn <= 8 ? turn : 1;
-    }
+    if (marker == 0xe1 && data.starts_with(kExif)) return orientation_of(data.substr(kExif.size()));
     at += 2 + length;
+  }
+  return 1;
+}
+
+int webp_turn(std::string_view bytes) {
+  constexpr std::size_t kHead = 8;  // bytes: the name of a chunk and its length
+  for (std::size_t at = 12; at + kHead <= bytes.size();) {
+    std::size_t length = 0;
+    for (std::size_t i = kHead; i-- > 4;) length = length << 8 | static_cast<unsigned char>(bytes[at + i]);
+    if (bytes.substr(at, 4) == "EXIF") {
+      std::string_view data = bytes.substr(at + kHead, length);
+      return orientation_of(data.starts_with(kExif) ? data.substr(kExif.size()) : data);
+    }
+    at += kHead + length + length % 2;
   }
   return 1;
 }
