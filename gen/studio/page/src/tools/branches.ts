@@ -14,6 +14,7 @@ import type { Drag, Tool } from "../view/tool";
 import type { View } from "../view/view";
 import { bent } from "./beam";
 import { Marks, touches } from "../view/marks";
+import { toolButton } from "./button";
 
 const COLORS = { hangs: 0xffa63d, axis: 0xffffff, handle: 0x59c36a };
 const FAR = 1e4; // metres
@@ -28,7 +29,6 @@ interface Edit {
   bend?: [number, number, number];
   strength?: number;
 }
-
 
 export class Branches implements Tool {
   readonly drawn = new Marks();
@@ -51,8 +51,7 @@ export class Branches implements Tool {
     private store: Store,
     private view: View,
   ) {
-    const button = (name: string, label: string, tip: string, click: () => void): HTMLElement =>
-      el("button.small", { type: "button", "data-testid": `branch:${name}`, "data-tip": tip, click }, label);
+    const button = (name: string, label: string, tip: string, click: () => void): HTMLElement => toolButton(`branch:${name}`, label, tip, click);
     this.byYear = el("span.cluster", {}, this.year, button("cut-year", "Cut in that year", "The tree answers with new shoots", () => this.cut(Number(this.year.value))));
     this.acts = el(
       "div.cluster", { role: "group", "aria-label": "What is done with the branch", hidden: true },
@@ -249,15 +248,22 @@ export class Branches implements Tool {
     this.write((all, same) => all.filter((e) => !same(e)));
   }
 
+  private edits({ entry }: Picked): Edit[] {
+    const given = getAt(this.store.preset.organism(entry), ["edits"]);
+    return Array.isArray(given) ? (given as Edit[]) : [];
+  }
+
+  private same(picked: Picked, edit: Edit): boolean {
+    return edit.at === picked.at && (edit.plant ?? picked.plant) === picked.plant;
+  }
+
   /** Edits the list of the organism; an item without `at` is one of the branch that is picked. */
   private write(change: (all: Edit[], same: (edit: Edit) => boolean) => Partial<Edit>[]): void {
     const { picked, store } = this;
     if (!picked) return;
-    const given = getAt(store.preset.organism(picked.entry), ["edits"]);
-    const all = Array.isArray(given) ? (given as Edit[]) : [];
+    const all = this.edits(picked);
     const alone = (this.view.head?.entries[picked.entry]?.specimens ?? 1) === 1;
-    const same = (edit: Edit): boolean => edit.at === picked.at && (edit.plant ?? picked.plant) === picked.plant;
-    const edits = change(all, same).map((edit) => (edit.at !== undefined ? edit : { at: picked.at, ...(alone ? {} : { plant: picked.plant }), ...edit }));
+    const edits = change(all, (edit) => this.same(picked, edit)).map((edit) => (edit.at !== undefined ? edit : { at: picked.at, ...(alone ? {} : { plant: picked.plant }), ...edit }));
     const path = ["organisms", picked.entry, "edits"];
     // What is added at the end is written there, so that comments among the others stay.
     const added = edits.length === all.length + 1 && all.every((edit, i) => edit === edits[i]);
