@@ -28,6 +28,7 @@ interface Edit {
   cut?: boolean | number;
   bend?: [number, number, number];
   strength?: number;
+  bare?: boolean;
 }
 
 export class Branches implements Tool {
@@ -44,6 +45,7 @@ export class Branches implements Tool {
   private year = el<HTMLInputElement>("input.number", { type: "number", min: "1", step: "1", size: 5, "aria-label": "Year in which it is cut", "data-testid": "cut-year" });
   private lost = el("details.lost-edits", { hidden: true, "data-testid": "lost-edits" }) as HTMLDetailsElement;
   private lostShown = "";
+  private bare: HTMLElement;
   private byYear: HTMLElement;
   private acts: HTMLElement;
 
@@ -53,12 +55,14 @@ export class Branches implements Tool {
   ) {
     const button = (name: string, label: string, tip: string, click: () => void): HTMLElement => toolButton(`branch:${name}`, label, tip, click);
     this.byYear = el("span.cluster", {}, this.year, button("cut-year", "Cut in that year", "The tree answers with new shoots", () => this.cut(Number(this.year.value))));
+    this.bare = button("bare", "Bare", "No leaves, flowers or fruit on it, nor on what hangs on it", () => this.strip());
     this.acts = el(
       "div.cluster", { role: "group", "aria-label": "What is done with the branch", hidden: true },
       button("cut", "Cut", "Saws it off there (Delete)", () => this.cut(true)),
       this.byYear,
       button("stronger", "Stronger", "Longer and thicker, with all that hangs on it", () => this.strengthen(STRONGER)),
       button("weaker", "Weaker", "Shorter and thinner", () => this.strengthen(1 / STRONGER)),
+      this.bare,
       button("undo", "As it grew", "Takes back all that was done with it", () => this.forget()),
     );
     const find = button("find", "Find", "Picks the branch of that address", () => void this.find(this.address.value));
@@ -202,6 +206,7 @@ export class Branches implements Tool {
       this.address.value = found.at;
       this.store.select(found.entry);
       const cm = round(200 * found.radius, 1);
+      this.bare.setAttribute("aria-pressed", String(this.edits(found).some((e) => this.same(found, e) && e.bare === true)));
       this.told.textContent = `${this.store.preset.nameOf(found.entry)}, branch ${found.at}: ${cm} cm thick. Drag the green point to bend it.`;
     }
     this.show();
@@ -241,6 +246,14 @@ export class Branches implements Tool {
       const was = all.find((e) => same(e) && e.bend !== undefined);
       const sum = by.add(new Vector3(...(was?.bend ?? [0, 0, 0])));
       return [...all.filter((e) => e !== was), { bend: sum.toArray().map((x) => round(x)) as [number, number, number] }];
+    });
+  }
+
+  /** Takes its leaves, or gives them back. */
+  private strip(): void {
+    this.write((all, same) => {
+      const was = all.find((e) => same(e) && e.bare === true);
+      return was ? all.filter((e) => e !== was) : [...all, { bare: true }];
     });
   }
 
