@@ -188,6 +188,10 @@ class Grower {
     if (res - low <= 1e-9 || from >= res) return {};
     std::vector<Stretch> stretches = stretches_of(chain, from, res);
     double weight = stretches.back().before + stretches.back().weight();
+    const Curve& density = tree_.stem(stem.level + 1).branches_along;
+    const double mean = mean_along(density, low / res, 1);
+    if (mean <= 0) return {};
+    count *= mean_along(density, from / res, 1) / mean;
     int n = static_cast<int>(count * (weight / (res - low)) + stem.seed.child("count", chain.first).unit());
     double dist = tree_.stem(stem.level + 1).branch_dist;
     std::vector<double> places;
@@ -196,6 +200,8 @@ class Grower {
       double due = weight * (i + 0.5) / n;
       while (at + 1 < stretches.size() && due > stretches[at + 1].before) ++at;
       double even = stretches[at].from + (due - stretches[at].before) / stretches[at].share;
+      if (!is_even(density))
+        even = res * place_by_density(density, from / res, 1, (even - from) / (res - from));
       double whorl = std::max(dist, 1.0);
       double begin = from + std::floor((even - from) / whorl) * whorl;
       double s = dist > 1 ? begin : begin + (even - begin) * dist;
@@ -265,14 +271,18 @@ class Grower {
         child.length = most * (stem.length - 0.6 * along);
         child.share = most > 0 ? child.length / stem.length / most : 0;
       }
+      const double longer = factor_along(next.length_along, child.offset);
+      child.length *= longer, child.share *= longer;
       if (child.length < kShortest) continue;
-      child.radius = std::min(stem.radius * std::pow(child.length / stem.length, tree_.ratio_power),
+      child.radius = std::min(stem.radius * std::pow(child.length / stem.length, tree_.ratio_power) *
+                                  factor_along(next.radius_along, child.offset),
                               radius_at(stem, child.offset));
       child.below = nodes[i];
       child.foot = chain.point(places[i]);
       double down = next.down_angle_v >= 0
                         ? vary(next.down_angle, next.down_angle_v, child.seed.child("down"))
                         : down_by_height(next, stem, along);
+      down *= factor_along(next.angle_along, child.offset);
       double round = whorl.next(next.rotate, next.rotate_v, child.seed.child("rotate"));
       child.turn = glm::normalize(chain.frame(places[i]) * about_y(round) * about_x(down));
       if (prune(child)) draw(child);
@@ -309,6 +319,7 @@ class Grower {
       double down = next.down_angle_v < 0 && !fan
                         ? down_by_height(next, stem, s / res * stem.length)
                         : vary(next.down_angle, std::abs(next.down_angle_v), own.child(0));
+      down *= factor_along(next.angle_along, s / res);
       DQuat turn = chain.frame(s);
       if (fan) {
         double spread = vary(std::abs(next.rotate) * (i - (count - 1) / 2.0), next.rotate_v, own.child(1));

@@ -2,9 +2,11 @@
 
 #include <array>
 
+#include "core/curve.h"
 #include "core/detour.h"
 #include "core/result.h"
 #include "core/seed.h"
+#include "crown/along.h"
 #include "crown/axes.h"
 #include "crown/crown.h"
 
@@ -43,6 +45,11 @@ struct StemLevel {
   double curve = 0;       ///< over the stem, or its lower half where there is a curve_back
   double curve_back = 0;  ///< over the upper half
   double curve_v = 0;     ///< negative: the stem is a helix of that slope
+  // By the place on the parent, from its foot (0) to its tip (1); not of trunks.
+  Curve angle_along = even_along();     ///< factor of the angle from the parent, of leaves as well
+  Curve length_along = even_along();    ///< factor of the length
+  Curve radius_along = even_along();    ///< factor of the radius, which stays below the parent's
+  Curve branches_along = even_along();  ///< how densely stems stand, relative to the mean
 };
 
 inline constexpr int kStemLevels = 4;

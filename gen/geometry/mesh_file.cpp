@@ -101,6 +101,10 @@ std::string foreign_format(std::string_view bytes) {
   return {};
 }
 
+const char* mesh_ending(std::string_view bytes) {
+  return bytes.starts_with("glTF") ? ".glb" : is_ply(bytes) ? ".ply" : is_stl(bytes) ? ".stl" : ".obj";
+}
+
 Result<PolygonMesh> read_mesh_file(const NamedFile& file, std::string* content) {
   const std::string& name = file.path.string();
   std::string_view bytes = file.text;

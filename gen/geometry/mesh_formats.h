@@ -20,4 +20,7 @@ Result<PolygonMesh> read_stl_mesh(std::string_view bytes, const std::string& nam
 /// error.
 Result<PolygonMesh> read_glb_mesh(std::string_view bytes, const std::string& name);
 
+/// How the name of a file ends that holds what these bytes of a mesh are: ".obj", ".ply", ".stl" or ".glb".
+const char* mesh_ending(std::string_view bytes);
+
 }  // namespace frond

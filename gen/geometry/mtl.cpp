@@ -79,12 +79,14 @@ void take_mtl(std::string_view text, PolygonMesh& mesh) {
 
 void read_materials(const fs::path& obj, PolygonMesh& mesh, std::vector<fs::path>* noted,
                     std::string* content) {
+  std::error_code error;
+  const fs::path top = fs::weakly_canonical(obj.parent_path().empty() ? "." : obj.parent_path(), error);
   auto read = [&](const std::string& name) -> std::optional<std::string> {
     std::optional<fs::path> path = found_below(obj.parent_path(), name);
     if (!path) return std::nullopt;
     Result<std::string> text = read_file(*path);
     if (!text) return std::nullopt;
-    if (noted) noted->push_back(obj.parent_path() / fs::path(name).filename());
+    if (noted) noted->push_back(obj.parent_path() / path->lexically_relative(top));
     if (content) *content += *text;
     return std::move(*text);
   };

@@ -48,6 +48,7 @@ void describe(Visitor& v, Edit& e) {
            "Way by which the place is pulled, as by a wire, in the plant's own upright frame");
   v.number("strength", e.strength, {.min = 0.2, .max = 3},
            "Factor of the length and thickness of all that is beyond the place");
+  v.boolean("bare", e.bare, "Takes leaves, flowers and fruit off all that is beyond the place");
 }
 
 }  // namespace frond

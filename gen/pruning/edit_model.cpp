@@ -6,6 +6,7 @@
 #include "core/keep.h"
 #include "foliage/organ_shapes.h"
 #include "pruning/edits.h"
+#include "pruning/keep_blades.h"
 
 namespace frond {
 
@@ -27,7 +28,7 @@ Prototype sawn_shape() {
   };
   Surface bark = turned({0.98f, 1.01f, 1.0f, 0.97f, 0.9f}, {-0.1f, 0.4f, 0.9f, 1.0f, 1.03f}),
           face = turned({0.91f, 0.6f, 0.3f, 0.1f, 0.0f}, {1.03f, 1.01f, 1.01f, 1.015f, 1.015f});
-  return {"sawn", {{Tissue::skin, std::move(bark)}, {Tissue::heart, std::move(face)}}, {kRim}, kSawnWood};
+  return {kSawn, {{Tissue::skin, std::move(bark)}, {Tissue::heart, std::move(face)}}, {kRim}, kSawnWood};
 }
 
 /// A model and what becomes of its nodes.
@@ -86,39 +87,19 @@ class ModelEditor {
   void carry_blades() {
     Blades& b = m_.blades;
     if (b.size() == 0) return;
-    std::vector<std::uint8_t> stay(b.size()), stay_point(b.surface.position.size());
+    std::vector<std::uint8_t> stay(b.size());
     for (std::size_t i = 0; i < b.size(); ++i) {
       const std::int32_t node = b.node[i];
       stay[i] = stays(node, b.foot[i]);
       const Vec3 foot = b.foot[i];
       if (stay[i] && node != Skeleton::kRoot) b.foot[i] = carried(foot, node);
       for (std::uint32_t v = b.first[i]; v < b.first[i + 1]; ++v) {
-        stay_point[v] = stay[i];
         if (!stay[i] || node == Skeleton::kRoot) continue;
         b.surface.position[v] = b.foot[i] + to_.turn[node] * (b.surface.position[v] - foot);
         if (!b.surface.normal.empty()) b.surface.normal[v] = to_.turn[node] * b.surface.normal[v];
       }
     }
-    keep_points(stay, stay_point);
-  }
-
-  /// Leaves out blades and their points.
-  void keep_points(const std::vector<std::uint8_t>& stay, const std::vector<std::uint8_t>& stay_point) {
-    Blades& b = m_.blades;
-    std::vector<std::uint32_t> first{0}, point(stay_point.size());
-    for (std::size_t i = 0; i < b.size(); ++i)
-      if (stay[i]) first.push_back(first.back() + b.first[i + 1] - b.first[i]);
-    std::uint32_t next = 0;
-    for (std::size_t v = 0; v < point.size(); ++v) {
-      point[v] = next;
-      next += stay_point[v];
-    }
-    std::erase_if(b.surface.triangle, [&](const auto& t) { return !stay_point[t[0]]; });
-    for (auto& triangle : b.surface.triangle)
-      for (auto& corner : triangle) corner = point[corner];
-    keep(stay_point, b.surface.position, b.surface.normal, b.surface.uv);
-    keep(stay, b.node, b.birth, b.color, b.id, b.foot);
-    b.first = std::move(first);
+    keep_blades(b, stay);
   }
 
   void shape_skeleton() {
@@ -190,7 +171,7 @@ class ModelEditor {
 
 void add_cut_face(Model& model, std::int32_t node, Vec3 direction, std::uint32_t id, float open) {
   if (model.skeleton.radius[node] * open < kThinnestWound || glm::length(direction) < 1e-7f) return;
-  auto at = std::ranges::find(model.prototypes, "sawn", &Prototype::name);
+  auto at = std::ranges::find(model.prototypes, kSawn, &Prototype::name);
   const auto prototype = static_cast<std::uint16_t>(at - model.prototypes.begin());
   const float radius = model.skeleton.radius[node];
   // The face lies where the cut is, and the round end of the branch behind it.
@@ -216,6 +197,7 @@ std::vector<float> edit_model(Model& model, std::span<const Edit> edits, std::sp
   Reshaped to =
       reshape({model.skeleton.parent, axes}, model.skeleton.position, model.skeleton.radius, edits, levers);
   model.notes.insert(model.notes.end(), to.notes.begin(), to.notes.end());
+  strip_model(model, edits);
   if (to.any) ModelEditor(model, to).edit();
   return to.levers;
 }

@@ -16,7 +16,7 @@
 
 namespace frond {
 
-/// What is done to one place: one of `cut`, `bend` and `strength` is given.
+/// What is done to one place: one of `cut`, `bend`, `strength` and `bare` is given.
 struct Edit {
   Address at;
   std::optional<std::size_t> plant =
@@ -24,6 +24,7 @@ struct Edit {
   std::optional<double> cut = {};       ///< at the end of that year of its life; 0: whenever it is seen
   std::optional<Vec3> bend = {};        ///< metres in the plant's own frame, by which the place is pulled
   std::optional<double> strength = {};  ///< factor of length and thickness of all that is beyond the place
+  bool bare = false;                    ///< what is beyond the place bears no leaves, flowers or fruit
   std::size_t number = 0;               ///< its place in the list, for messages
 
   /// Whether it takes effect while the plant grows.
@@ -65,6 +66,10 @@ Reshaped reshape(const Branching& plant, std::span<const Vec3> position, std::sp
 /// Edits a model in its own frame; notes go to the model's. Where something is cut a wound shows, if the wood
 /// is thick enough. The model tells afterwards which axes it had before. Gives the levers of the edits.
 std::vector<float> edit_model(Model& model, std::span<const Edit> edits, std::span<const float> levers = {});
+
+/// Takes the organs and blades off what edits leave bare; the faces of what was sawn off stay. Addresses that
+/// find no branch are passed over. edit_model() does it, too.
+void strip_model(Model& model, std::span<const Edit> edits);
 
 /// Adds the wound of a cut to the end of a branch that is thick enough; `open`: the share of it, 0..1, over
 /// which no new bark has grown.

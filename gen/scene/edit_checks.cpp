@@ -15,8 +15,10 @@ Errors edit_faults(const Organism& organism) {
     auto add = [&](std::string_view name, std::string what) {
       errors.push_back({fmt::format("/edits/{}{}", i, name), std::move(what)});
     };
-    const int given = edit.cut.has_value() + edit.bend.has_value() + edit.strength.has_value();
-    if (given != 1) add("", fmt::format("has {} of cut, bend and strength; expected one of them", given));
+    const int given =
+        edit.cut.has_value() + edit.bend.has_value() + edit.strength.has_value() + (edit.bare ? 1 : 0);
+    if (given != 1)
+      add("", fmt::format("has {} of cut, bend, strength and bare; expected one of them", given));
     if (edit.dated() && !grower.lives_years())
       add("/cut", "names a year; expected true, or the kind tree, which grows over years");
     if (edit.bend && edit.at.share == 0)

@@ -1,14 +1,13 @@
 #include "studio/carry.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <vector>
 
 #include "core/files.h"
-#include "core/printable.h"
 #include "preset/json.h"
 #include "studio/grammar_files.h"
+#include "studio/mesh_files.h"
+#include "studio/put_files.h"
 
 namespace frond {
 
@@ -58,32 +57,19 @@ Result<std::string> renamed(const std::string& text, const fs::path& folder,
 
 }  // namespace
 
-Result<std::string> put_beside(const fs::path& folder, const std::string& name, const std::string& content) {
-  // The name is a person's; what becomes of it is a plain one that nothing else has.
-  std::string stem = plain_name(fs::path(name).stem().string(), "file").substr(0, 60);
-  std::string type = fs::path(name).extension().string();
-  std::error_code error;
-  for (int number = 1; number < 1000; ++number) {
-    std::string own = number == 1 ? stem + type : fmt::format("{}-{}{}", stem, number, type);
-    if (fs::exists(folder / own, error)) {
-      Result<std::string> there = read_file(folder / own);
-      if (there && *there == content) return own;
-      continue;
-    }
-    Result<bool> written = write_file(folder / own, content);
-    if (!written) return written.errors();
-    return own;
-  }
-  return Error{name, "there are too many files of that name"};
-}
-
 Result<std::string> carried(const std::string& text, const fs::path& from, const fs::path& to,
                             const std::function<bool(const fs::path&)>& readable) {
   return renamed(text, from, [&](const fs::path& file) -> Result<std::string> {
     if (!readable(file)) return std::string();
-    if (file.extension() == ".l") return put_grammar(to, file);
-    Result<std::string> content = read_file(file);
-    return content ? put_beside(to, file.filename().string(), *content) : content;
+    auto put = [&]() -> Result<PutFiles> {
+      if (file.extension() == ".l") return put_grammar(to, file);
+      if (is_mesh_name(file)) return copy_mesh(to, file);
+      Result<std::string> content = read_file(file);
+      if (!content) return content.errors();
+      return put_beside(to, file.filename().string(), *content);
+    }();
+    if (!put) return put.errors();
+    return put->name;
   });
 }
 

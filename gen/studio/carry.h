@@ -19,9 +19,4 @@ Result<std::string> carried(const std::string& text, const std::filesystem::path
 /// the same in any folder. Nothing else of the text changes.
 Result<std::string> with_whole_paths(const std::string& text, const std::filesystem::path& folder);
 
-/// Puts a file into a folder under a name like the one given; what it is called there. The same content is
-/// not put there twice.
-Result<std::string> put_beside(const std::filesystem::path& folder, const std::string& name,
-                               const std::string& content);
-
 }  // namespace frond

@@ -10,6 +10,7 @@
 #include "preset/json.h"
 #include "studio/carry.h"
 #include "studio/grammar_files.h"
+#include "studio/mesh_files.h"
 
 namespace frond {
 
@@ -246,10 +247,20 @@ std::optional<Refusal> Documents::add_file(const std::string& name, const char* 
                                            Json& saved) const {
   if (!reaches(of)) return Refusal{409, {{"error", kSaveFirst}}};
   FolderLock lock(folder_);
-  Result<std::string> own = put_beside(folder_, fs::path(name).stem().string() + type, content);
+  Result<PutFiles> own = put_beside(folder_, fs::path(name).stem().string() + type, content);
   if (!own) return Refusal{500, {{"error", own.errors().front().text()}}};
-  made_->add(*own, of);
-  saved = {{"file", *own}, {"path", (folder_ / *own).string()}};
+  made(*own, of, saved);
+  return std::nullopt;
+}
+
+std::optional<Refusal> Documents::add_mesh(const std::string& name, const std::string& content,
+                                           const std::map<std::string, std::string>& beside,
+                                           const std::string& of, Json& saved) const {
+  if (!reaches(of)) return Refusal{409, {{"error", kSaveFirst}}};
+  FolderLock lock(folder_);
+  Result<PutFiles> own = put_mesh(folder_, name, content, beside);
+  if (!own) return Refusal{400, {{"error", own.errors().front().text()}}};
+  made(*own, of, saved);
   return std::nullopt;
 }
 
@@ -258,12 +269,16 @@ std::optional<Refusal> Documents::add_grammar(const fs::path& grammar,
                                               const std::string& of, Json& saved) const {
   if (!reaches(of)) return Refusal{409, {{"error", kSaveFirst}}};
   FolderLock lock(folder_);
-  Result<std::string> own = put_grammar(folder_, grammar, texts);
+  Result<PutFiles> own = put_grammar(folder_, grammar, texts);
   if (!own) return Refusal{500, {{"error", own.errors().front().text()}}};
-  // Of a model its folder.
-  made_->add(own->substr(0, own->find('/')), of);
-  saved = {{"file", *own}, {"path", (folder_ / *own).string()}};
+  made(*own, of, saved);
   return std::nullopt;
+}
+
+void Documents::made(const PutFiles& put, const std::string& of, Json& saved) const {
+  // Of files that name each other, their folder.
+  made_->add(put.name.substr(0, put.name.find('/')), of, put.fresh);
+  saved = {{"file", put.name}, {"path", (folder_ / put.name).string()}};
 }
 
 Json errors_json(const Errors& errors) {

@@ -10,6 +10,7 @@
 #include "scene/preset.h"
 #include "studio/made_files.h"
 #include "studio/packet.h"
+#include "studio/put_files.h"
 #include "studio/studio.h"
 
 namespace frond {
@@ -59,10 +60,15 @@ class Documents {
   /// stands for what the page believes to be there, empty: nothing.
   std::optional<Refusal> save(const std::string& file, const Doc& doc, const std::string& disk,
                               bool overwrite, Json& saved) const;
-  /// Puts a mesh (".obj") or a picture (".png") beside the preset under a name like the one given, for the
-  /// preset `of`: see studio/made_files.h.
+  /// Puts a picture (".png") beside the preset under a name like the one given, for the preset `of`: see
+  /// studio/made_files.h.
   std::optional<Refusal> add_file(const std::string& name, const char* type, const std::string& content,
                                   const std::string& of, Json& saved) const;
+  /// The same for a mesh, and those of the files `beside` that it names, see put_mesh(); 400 where it is
+  /// none.
+  std::optional<Refusal> add_mesh(const std::string& name, const std::string& content,
+                                  const std::map<std::string, std::string>& beside, const std::string& of,
+                                  Json& saved) const;
   /// The same for a grammar with some texts changed, see put_grammar().
   std::optional<Refusal> add_grammar(const std::filesystem::path& grammar,
                                      const std::map<std::string, std::string>& texts, const std::string& of,
@@ -74,6 +80,8 @@ class Documents {
   /// Where a file that the page names is to be written; empty where it may not be.
   std::optional<std::filesystem::path> writable(const std::string& file) const;
 
+  /// Notes what was put beside the preset `of` for it.
+  void made(const PutFiles& put, const std::string& of, Json& saved) const;
   /// Whether a preset may read what lies in the folder of one's own.
   bool reaches(const std::filesystem::path& of) const;
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "core/files.h"
+#include "core/printable.h"
 #include "core/text.h"
 #include "core/work_folder.h"
 #include "export/export_scene.h"

@@ -1,7 +1,5 @@
 #include "studio/grammar_files.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "core/assets.h"
@@ -11,7 +9,6 @@
 #include "cpfg/cpfg.h"
 #include "organisms/cpfg_picture.h"
 #include "organisms/grammar_file.h"
-#include "studio/carry.h"
 
 namespace frond {
 
@@ -23,7 +20,6 @@ constexpr std::size_t kShownLetters = 4000;   // characters
 constexpr std::size_t kMostShown = 1 << 20;   // bytes of a file that is shown
 constexpr std::size_t kMostWalked = 300'000;  // modules of a word that is drawn
 constexpr std::size_t kMostDrawn = 30'000;    // lines and polygons of a picture
-constexpr int kMostFolders = 1000;
 constexpr const char* kCommandLine = "specifications";  // of cpfg, for a model
 /// So that the page is answered in a second or so.
 constexpr CpfgLimits kShownLimits{.steps = 1'000'000, .modules = 1'000'000, .work = 200'000'000};
@@ -109,19 +105,6 @@ std::optional<fs::path> grammar_of(const Documents& documents, const Json& quest
   return fine && fs::is_regular_file(*file, error) ? file : std::nullopt;
 }
 
-/// Writes files into a folder, unless they are there already; whether nothing else stands there.
-Result<bool> put_into(const fs::path& folder, const std::map<std::string, std::string>& contents) {
-  std::error_code error;
-  if (fs::exists(folder, error)) {
-    for (const auto& [name, content] : contents)
-      if (Result<std::string> there = read_file(folder / name); !there || *there != content) return false;
-    return true;
-  }
-  for (const auto& [name, content] : contents)
-    if (Result<bool> written = write_file(folder / name, content); !written) return written;
-  return true;
-}
-
 }  // namespace
 
 std::vector<fs::path> files_of_grammar(const fs::path& grammar) {
@@ -146,26 +129,21 @@ std::vector<fs::path> files_of_grammar(const fs::path& grammar) {
   return files;
 }
 
-Result<std::string> put_grammar(const fs::path& folder, const fs::path& grammar,
-                                const std::map<std::string, std::string>& texts) {
+Result<PutFiles> put_grammar(const fs::path& folder, const fs::path& grammar,
+                             const std::map<std::string, std::string>& texts) {
   std::map<std::string, std::string> contents;
   for (const fs::path& file : files_of_grammar(grammar)) {
     std::string name = name_in(file, grammar.parent_path());
     auto changed = texts.find(name);
     Result<std::string> content = changed != texts.end() ? Result(changed->second) : read_file(file);
-    if (!content) return content;
+    if (!content) return content.errors();
     contents.emplace(std::move(name), std::move(*content));
   }
   const std::string own = grammar.filename().string();
   if (!is_model(grammar)) return put_beside(folder, own, contents.begin()->second);
-  const std::string stem = grammar.stem().string();
-  for (int number = 1; number <= kMostFolders; ++number) {
-    std::string name = number == 1 ? stem : fmt::format("{}-{}", stem, number);
-    Result<bool> put = put_into(folder / name, contents);
-    if (!put) return put.errors();
-    if (*put) return name + "/" + own;
-  }
-  return Error{stem, "there are too many folders of that name"};
+  Result<PutFiles> put = put_folder(folder, grammar.stem().string(), contents);
+  if (put) put->name += "/" + own;
+  return put;
 }
 
 Answer grammar_files(const Documents& documents, const Json& question) {

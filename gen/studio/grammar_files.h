@@ -7,6 +7,7 @@
 
 #include "studio/answers.h"
 #include "studio/documents.h"
+#include "studio/put_files.h"
 
 // Grammars that stand in files of their own, which a preset names as `grammar.file`: models of cpfg, of
 // several files, and rules of LParser and Houdini.
@@ -19,8 +20,8 @@ std::vector<std::filesystem::path> files_of_grammar(const std::filesystem::path&
 /// Copies a grammar's files below a folder, some with other texts (by their paths below the grammar's
 /// folder); its new name there. A model of several files gets a folder of its own, where all keep their
 /// names. What is there already is taken as it is.
-Result<std::string> put_grammar(const std::filesystem::path& folder, const std::filesystem::path& grammar,
-                                const std::map<std::string, std::string>& texts = {});
+Result<PutFiles> put_grammar(const std::filesystem::path& folder, const std::filesystem::path& grammar,
+                             const std::map<std::string, std::string>& texts = {});
 
 /// What is in the files of the grammar `file`, and, of a model of cpfg, its word after `steps`:
 /// see docs/studio-wire.md.

@@ -8,10 +8,10 @@ namespace frond {
 
 namespace fs = std::filesystem;
 
-void MadeFiles::add(const std::string& name, const fs::path& of) {
+void MadeFiles::add(const std::string& name, const fs::path& of, bool fresh) {
   std::lock_guard lock(in_work_);
-  std::erase_if(made_, [&](const Made& made) { return made.name == name; });
-  made_.push_back({name, of, {}});
+  const std::size_t known = std::erase_if(made_, [&](const Made& made) { return made.name == name; });
+  if (fresh || known > 0) made_.push_back({name, of, {}});
 }
 
 void MadeFiles::saved(const fs::path& of, const std::string& text) {

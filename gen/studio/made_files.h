@@ -16,8 +16,9 @@ class MadeFiles {
  public:
   explicit MadeFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// `name` was written below the folder, while the preset `of` was worked on.
-  void add(const std::string& name, const std::filesystem::path& of);
+  /// `name` was written below the folder, while the preset `of` was worked on. `fresh`: it was not there
+  /// before. What was there and is not known here is somebody's own, and stays.
+  void add(const std::string& name, const std::filesystem::path& of, bool fresh);
   /// A preset was saved with that text.
   void saved(const std::filesystem::path& of, const std::string& text);
   /// Puts back what a text names.

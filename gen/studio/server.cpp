@@ -2,7 +2,6 @@
 #include <httplib.h>
 #include <pthread.h>
 #include <signal.h>
-#include <sys/random.h>
 #include <sys/signalfd.h>
 
 #include <charconv>
@@ -21,6 +20,7 @@
 #include "studio/scenes.h"
 #include "studio/send.h"
 #include "studio/studio.h"
+#include "studio/token.h"
 
 namespace frond {
 
@@ -30,26 +30,11 @@ using httplib::Request;
 using httplib::Response;
 
 constexpr const char* kHost = "127.0.0.1";
-constexpr std::size_t kMostMesh = std::size_t{32} << 20, kMostText = std::size_t{8} << 20;  // bytes
+constexpr std::size_t kMostMesh = std::size_t{65} << 20, kMostText = std::size_t{8} << 20;  // bytes
 constexpr const char* kPolicy =
     "default-src 'self'; img-src 'self' blob: data:; style-src 'self' 'unsafe-inline'; frame-ancestors "
     "'none'; "
     "base-uri 'none'; form-action 'none'";
-
-/// 32 hexadecimal digits that nobody can guess.
-std::string token() {
-  std::array<unsigned char, 16> bytes{};
-  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) return {};
-  return fmt::format("{:02x}", fmt::join(bytes, ""));
-}
-
-/// Takes as long whether the first or the last character differs.
-bool same(std::string_view a, std::string_view b) {
-  if (a.size() != b.size()) return false;
-  int differs = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) differs |= a[i] ^ b[i];
-  return differs == 0;
-}
 
 /// The number of a question among those of its tab; 0 where it has none.
 std::uint64_t sequence_of(const Request& request) {
@@ -238,7 +223,10 @@ class Server {
       const char* type = request.matches[1] == "docs" ? "text/plain; charset=utf-8" : "image/jpeg";
       send_picture(response, documents_.leaf(request.matches[1].str(), request.matches[2]), type);
     });
-    post("/api/save", [this](const Request&, Response& response, const Json& question, Doc doc) {
+    auto tell = [](Response& response, const std::optional<Refusal>& no, const Json& saved) {
+      no ? send(response, no->status, no->body) : send(response, 200, saved);
+    };
+    post("/api/save", [this, tell](const Request&, Response& response, const Json& question, Doc doc) {
       std::string file = question.at("file").get<std::string>();
       std::string disk = question.contains("disk") && question["disk"].is_string()
                              ? question["disk"].get<std::string>()
@@ -248,9 +236,7 @@ class Server {
         if (Result<Preset> preset = documents_.preset(doc); !preset)
           return send(response, 422, {{"errors", errors_json(preset.errors())}});
       Json saved;
-      if (auto refusal = documents_.save(file, doc, disk, question.value("overwrite", false), saved))
-        return send(response, refusal->status, refusal->body);
-      send(response, 200, saved);
+      tell(response, documents_.save(file, doc, disk, question.value("overwrite", false), saved), saved);
     });
     server_.Get("/api/painted", [this](const Request& request, Response& response) {
       documents_.restore(request.get_param_value("file"));
@@ -259,17 +245,25 @@ class Server {
         return send(response, 403, {{"error", "no such picture may be read"}});
       send_picture(response, read_file(*file), "image/png");
     });
-    for (auto [path, type, begin] :
-         {std::array{"/api/mesh", ".obj", ""}, {"/api/painted", ".png", "\x89PNG"}})
-      server_.Post(path, [this, type, begin](const Request& request, Response& response) {
-        if (!request.body.starts_with(begin))
-          return send(response, 400, {{"error", "the file is no picture"}});
-        Json saved;
-        if (auto refusal = documents_.add_file(request.get_param_value("name"), type, request.body,
-                                               request.get_param_value("of"), saved))
-          return send(response, refusal->status, refusal->body);
-        send(response, 200, saved);
-      });
+    server_.Post("/api/painted", [this, tell](const Request& request, Response& response) {
+      if (!request.body.starts_with("\x89PNG"))
+        return send(response, 400, {{"error", "the file is no picture"}});
+      Json saved;
+      tell(response,
+           documents_.add_file(request.get_param_value("name"), ".png", request.body,
+                               request.get_param_value("of"), saved),
+           saved);
+    });
+    server_.Post("/api/mesh", [this, tell](const Request& request, Response& response) {
+      const httplib::MultipartFormData mesh = request.get_file_value("mesh");
+      std::map<std::string, std::string> beside;
+      for (auto [at, end] = request.files.equal_range("beside"); at != end; ++at)
+        beside.emplace(at->second.filename, at->second.content);
+      Json saved;
+      tell(response,
+           documents_.add_mesh(mesh.filename, mesh.content, beside, request.get_param_value("of"), saved),
+           saved);
+    });
   }
 
   void add_scenes() {

@@ -349,5 +349,51 @@ TEST(WeberPenn, RunawaySplitsAreRefused) {
   EXPECT_GT(estimate_nodes(t), 4e6);
 }
 
+TEST(WeberPenn, CurvesAlongTheParentShapeWhatItBears) {
+  WeberPenn t = plain();
+  t.shape = CrownShape::cylindrical;
+  t.level[1].branches = 40;
+  auto grown = [](const WeberPenn& tree) {
+    Result<Crown> crown = grow_weber_penn(tree, Seed{3});
+    EXPECT_TRUE(crown.ok());
+    return crown ? branches(crown->skeleton, 1) : std::vector<Branch>{};
+  };
+  const std::vector<Branch> even = grown(t);
+  // The number stays, and most stand where the curve is high: nothing below half of the trunk.
+  WeberPenn dense = t;
+  dense.level[1].branches_along = Curve({{0, 0}, {0.5, 0}, {0.6, 1}, {1, 1}});
+  const std::vector<Branch> high = grown(dense);
+  EXPECT_EQ(high.size(), even.size());
+  for (const Branch& b : high) EXPECT_GT(b.foot.y, 5);
+  dense.level[1].branches_along = Curve({{0, 0}, {1, 0}});
+  EXPECT_TRUE(grown(dense).empty());
+  // A density that is the same everywhere, whatever it is, changes nothing to speak of.
+  dense.level[1].branches_along = Curve({{0, 3}, {1, 3}});
+  const std::vector<Branch> thrice = grown(dense);
+  ASSERT_EQ(thrice.size(), even.size());
+  for (std::size_t i = 0; i < even.size(); ++i) EXPECT_NEAR(thrice[i].foot.y, even[i].foot.y, 0.01);
+
+  WeberPenn shaped = t;
+  shaped.level[1].length_along = Curve({{0, 1}, {1, 0.5}});
+  shaped.level[1].angle_along = Curve({{0, 1.5}, {1, 0.5}});
+  const std::vector<Branch> list = grown(shaped);
+  ASSERT_EQ(list.size(), even.size());
+  for (const Branch& b : list) {
+    const double place = b.foot.y / 10;
+    EXPECT_NEAR(b.length, 4 * (1 - 0.5 * place), 0.01) << place;
+    EXPECT_NEAR((b.tip.y - b.foot.y) / b.length, std::cos(radians(60.0) * (1.5 - place)), 0.01) << place;
+  }
+  WeberPenn thin = t;
+  thin.level[1].radius_along = Curve({{0, 0.5}, {1, 0.5}});
+  const std::vector<Branch> half = grown(thin);
+  ASSERT_EQ(half.size(), even.size());
+  for (std::size_t i = 0; i < even.size(); ++i) EXPECT_LE(half[i].radius, even[i].radius);
+  // Near the tip of the trunk they are no thicker than that in any case; the lowest shows the factor.
+  const auto lowest = [](const std::vector<Branch>& all) {
+    return *std::ranges::min_element(all, {}, [](const Branch& branch) { return branch.foot.y; });
+  };
+  EXPECT_NEAR(lowest(half).radius, lowest(even).radius / 2, 1e-5);
+}
+
 }  // namespace
 }  // namespace frond

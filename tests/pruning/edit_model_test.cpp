@@ -137,6 +137,32 @@ TEST(Edits, StrengthIsAFactorOfLengthAndThickness) {
   }
 }
 
+TEST(Edits, ABareBranchKeepsItsWoodAndNothingElse) {
+  const Model before = tiny_model();
+  Model m = edited({{.at = *parse_address("1:0.5"), .bare = true}});
+  EXPECT_EQ(m.skeleton.position, before.skeleton.position);
+  const Vec3 at = place_of(before, "1:0.5");
+  EXPECT_EQ(m.blades.size(), 0u);
+  EXPECT_TRUE(m.blades.surface.position.empty());
+  EXPECT_LT(m.organs.size(), before.organs.size());
+  std::size_t left = 0;
+  for (Vec3 leaf : before.organs.position) left += !(leaf.x >= at.x);
+  EXPECT_EQ(m.organs.size(), left);
+  for (Vec3 leaf : m.organs.position) EXPECT_LT(leaf.x, at.x);
+  // The face of a cut on it stays, and so do other edits.
+  Edit bare{.at = *parse_address("1"), .bare = true};
+  for (const std::vector<Edit>& edits :
+       {std::vector{cut_at("1:0.5"), bare}, std::vector{bare, cut_at("1:0.5")}}) {
+    m = edited(edits);
+    EXPECT_EQ(m.skeleton.size(), edited({cut_at("1:0.5")}).skeleton.size());
+    ASSERT_GT(m.organs.size(), 0u);
+    EXPECT_EQ(m.prototypes[m.organs.prototype.back()].name, "sawn");
+  }
+  // An edit of what a stripped model has no more is passed over.
+  strip_model(m, std::vector<Edit>{{.at = *parse_address("7"), .bare = true}});
+  EXPECT_EQ(m.check(), "");
+}
+
 TEST(Edits, LeaveTheAddressesOfOthers) {
   const Model before = tiny_model();
   std::vector<AxisNode> axes = axis_nodes(before);

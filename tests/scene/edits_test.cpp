@@ -135,6 +135,28 @@ TEST(SceneEdits, HoldAtAllTimesOfAFilm) {
   EXPECT_GE(fewer, 3u);
 }
 
+TEST(SceneEdits, ABareBranchHasNoLeavesAtAnyTimeOfAFilm) {
+  auto film = [](std::string_view edits) {
+    std::string text = text_of(kTree, edits, R"(, "growth": {"duration": 4})");
+    text.replace(text.find(R"("frames": 1)"), 11, R"("frames": 50, "fps": 10)");
+    return grown(text);
+  };
+  Scene plain = film("");
+  const std::string branch = thickest_branch(plant_of(plain).model);
+  Scene bare = film(R"({"at": ")" + branch + R"(", "bare": true})");
+  Scene all = film(R"({"at": "", "bare": true})");
+  for (double time : {1.0, 2.0, 3.0, 3.5, 4.5}) {
+    auto a = developed(plant_of(plain), time), b = developed(plant_of(bare), time),
+         c = developed(plant_of(all), time);
+    ASSERT_TRUE(a && b && c);
+    EXPECT_EQ((*a)->model.skeleton.position, (*b)->model.skeleton.position) << time;
+    EXPECT_EQ((*c)->model.organs.size(), 0u) << time;
+    if (time < 3.2) continue;
+    EXPECT_LT((*b)->model.organs.size(), (*a)->model.organs.size()) << time;
+    EXPECT_GT((*b)->model.organs.size(), 0u) << time;
+  }
+}
+
 TEST(SceneEdits, TellWhatTheyDoNotFind) {
   Scene scene = grown(text_of(kKinds[4], R"({"at": "1", "cut": true}, {"at": "99", "cut": true})"));
   ASSERT_FALSE(scene.notes.empty());
@@ -159,8 +181,8 @@ const WrongPreset kWrongEdits[] = {
      R"({"organisms": [{"kind": "coral", "edits": [{"at": "3"}, {"at": "3", "cut": true, "strength": 2},
  {"at": "3", "bend": [0, 1, 0]}, {"at": "3", "cut": 24}]}]})",
      {},
-     {R"(1:44: /organisms/0/edits/0: has 0 of cut, bend and strength; expected one of them)",
-      R"(1:57: /organisms/0/edits/1: has 2 of cut, bend and strength; expected one of them)",
+     {R"(1:44: /organisms/0/edits/0: has 0 of cut, bend, strength and bare; expected one of them)",
+      R"(1:57: /organisms/0/edits/1: has 2 of cut, bend, strength and bare; expected one of them)",
       R"(2:9: /organisms/0/edits/2/at: is where the limb is held; expected a place farther along it to pull at, as "3:0.8")",
       R"(2:53: /organisms/0/edits/3/cut: names a year; expected true, or the kind tree, which grows over years)"}},
     {"Edits of what has no branches",

@@ -21,6 +21,20 @@ async function accessible(page, what) {
   assert.deepEqual(said, [], what);
 }
 
+test('the editor on a phone, with its tools, its sheet and a menu', async () => {
+  const page = await visit(browser, studio.address, {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true});
+  await shown(page);
+  for (const tool of ['place', 'branches', 'draw', 'paint', 'measure', 'select']) {
+    await page.getByTestId(`tool:${tool}`).click();
+    await accessible(page, tool);
+  }
+  await page.getByTestId('side').click();
+  await accessible(page, 'properties');
+  await page.getByTestId('more-acts').click();
+  await accessible(page, 'more');
+  await page.context().close();
+});
+
 for (const colorScheme of ['light', 'dark']) {
   test(`the gallery, ${colorScheme}`, async () => {
     const page = await visit(browser, gallery.address, {colorScheme});

@@ -136,3 +136,34 @@ test('a branch of a tree is made stronger, and cut in a year of its life', async
   assert.equal(edits[0].strength, 1.25);
   assert.equal(edits[1].cut, 4);
 });
+
+test('a branch is stripped of its leaves by a button, which gives them back', async () => {
+  await page.getByTestId('organism:1').click();
+  await page.getByTestId('branch-address').fill(':0.3');
+  await page.getByTestId('branch:find').click();
+  await told(/young, branch :0\.3/);
+  const leaves = () => page.evaluate(() => window.frond.view.header.parts.filter(part => part.entry === 1 && part.instances).reduce((sum, part) => sum + part.instances.n, 0));
+  const was = await leaves();
+  assert.ok(was > 0);
+  const bare = page.getByTestId('branch:bare');
+  let before = await parts(page);
+  await bare.click();
+  await changed(page, before);
+  await shown(page);
+  assert.ok((await leaves()) < was / 2, `${await leaves()} of ${was} leaves are left`);
+  const edits = async () => {
+    await page.getByTestId('tab:text').click();
+    const text = await page.getByTestId('text').inputValue();
+    await page.getByTestId('tab:text').click();
+    return JSON.parse(text.replace(/\/\/.*$/gm, '')).organisms[1].edits;
+  };
+  const [edit, ...more] = await edits();
+  assert.deepEqual([edit.bare, more], [true, []]);
+  await page.waitForFunction(() => document.querySelector('[data-testid="branch:bare"]').getAttribute('aria-pressed') === 'true');
+  before = await parts(page);
+  await bare.click();
+  await changed(page, before);
+  await shown(page);
+  assert.equal(await leaves(), was);
+  assert.equal(await edits(), undefined);
+});

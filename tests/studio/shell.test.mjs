@@ -96,7 +96,61 @@ test('on a phone one sheet is open at a time, the bar takes one row and the view
   assert.ok((await height('[data-testid=view]')) > 200, 'with the properties open');
   await phone.getByTestId('tab:text').click();
   assert.equal(await phone.locator('aside.side').isVisible(), false);
-  const small = await phone.locator('button:visible').evaluateAll(list => list.filter(one => one.getBoundingClientRect().height < 24).map(one => one.outerHTML.slice(0, 90)));
-  assert.deepEqual(small, []);
+  assert.deepEqual(await small(phone), []);
   assert.deepEqual(phone.faults, []);
+  await phone.context().close();
+});
+
+/** Buttons that are too small for a finger; those in rows of properties may be lower. */
+const small = page => page.locator('button:visible').evaluateAll(list => list.filter(one => {
+  const {width, height} = one.getBoundingClientRect(), row = one.closest('.row');
+  return height < (row ? 36 : 44) || width < (row ? 24 : 44);
+}).map(one => one.outerHTML.slice(0, 90)));
+
+/** What reaches beyond the window's sides. */
+const cut = page => page.locator('button:visible, input:visible, select:visible').evaluateAll(list => list.filter(one => {
+  const {left, right} = one.getBoundingClientRect();
+  return left < -1 || right > innerWidth + 1;
+}).map(one => one.outerHTML.slice(0, 90)));
+
+test('on a phone nothing is too small for a finger or cut off, and a tall drawer leaves the view 40 % of the height', async () => {
+  const phone = await visit(browser, studio.address, {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true});
+  await shown(phone);
+  const view = () => phone.getByTestId('view').evaluate(one => one.getBoundingClientRect().height / innerHeight);
+  for (const tab of ['grammar', 'text', 'curves', 'library', 'film', 'renders']) {
+    await phone.getByTestId(`tab:${tab}`).click();
+    assert.deepEqual([await small(phone), await cut(phone)], [[], []], tab);
+  }
+  // As it was drawn on a large screen, by the keys, and where the phone is turned and turned back.
+  await phone.getByTestId('tab:grammar').click();
+  for (let i = 0; i < 30; ++i) await phone.locator('.edge').press('ArrowUp');
+  assert.ok(await view() >= 0.4, `${await view()}`);
+  await phone.setViewportSize({width: 390, height: 600});
+  await phone.setViewportSize({width: 390, height: 844});
+  assert.ok(await view() >= 0.4, `${await view()}`);
+  for (const tool of ['place', 'branches', 'draw', 'paint', 'measure']) {
+    await phone.getByTestId(`tool:${tool}`).click();
+    assert.deepEqual([await small(phone), await cut(phone)], [[], []], tool);
+  }
+  await phone.getByTestId('side').click();
+  assert.deepEqual([await small(phone), await cut(phone)], [[], []], 'properties');
+  // What opened a menu has the focus again.
+  await phone.getByTestId('more-acts').click();
+  assert.deepEqual([await small(phone), await cut(phone)], [[], []], 'menu');
+  await phone.keyboard.press('Escape');
+  assert.equal(await phone.evaluate(() => document.activeElement.dataset.testid), 'more-acts');
+  await phone.getByTestId('to-gallery').click();
+  await phone.locator('[data-testid^="card:"]').first().waitFor();
+  assert.deepEqual([await small(phone), await cut(phone)], [[], []], 'gallery');
+  assert.deepEqual(phone.faults, []);
+  await phone.context().close();
+});
+
+test('whatever has a sign alone is called by what it does', async () => {
+  await page.getByTestId('to-gallery').waitFor();
+  for (const tool of ['place', 'branches', 'draw', 'paint', 'measure', 'select']) {
+    await page.getByTestId(`tool:${tool}`).click();
+    const nameless = await page.locator('button:visible').evaluateAll(list => list.filter(one => !/\w/.test(one.getAttribute('aria-label') ?? one.textContent)).map(one => one.outerHTML.slice(0, 90)));
+    assert.deepEqual(nameless, [], tool);
+  }
 });

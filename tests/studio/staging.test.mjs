@@ -98,6 +98,38 @@ test('an OBJ file that is dropped stands where it fell', async () => {
   assert.deepEqual(page.faults, []);
 });
 
+test('a mesh is dropped with its materials, a second beside it, and what is no mesh is refused', async () => {
+  const files = (await now()).organisms.length;
+  const folder = fs.readdirSync(scratch);
+  const drop = async list => {
+    const data = await page.evaluateHandle(list => {
+      const data = new DataTransfer();
+      for (const [name, text] of list) data.items.add(new File([text], name));
+      return data;
+    }, list);
+    await page.dispatchEvent('[data-testid="view"]', 'drop', {dataTransfer: data, clientX: 400, clientY: 300});
+  };
+  const tetrahedron = 'v 0 0 0\nv 1 0 0\nv 0 0 1\nv 0 1 0\nusemtl oak\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n';
+  const facet = (...corners) => `facet normal 0 0 1\nouter loop\n${corners.map(at => `vertex ${at}`).join('\n')}\nendloop\nendfacet\n`;
+  await drop([['cask.mtl', 'newmtl oak\nKd 1 0 0\n'], ['cask.obj', `mtllib cask.mtl\n${tetrahedron}`], ['chip.stl', `solid chip\n${facet('0 0 0', '1 0 0', '0 1 0')}endsolid chip\n`]]);
+  await page.getByText('chip.stl stands in the scene').waitFor();
+  await shown(page);
+  const made = (await now()).organisms.slice(files);
+  assert.deepEqual(made.map(one => [one.name, one.file]), [['cask', 'cask/cask.obj'], ['chip', 'chip.stl']]);
+  near([made[1].place.at[0][0] - made[0].place.at[0][0]], [1], 0.02);
+  assert.match(fs.readFileSync(path.resolve(scratch, 'cask/cask.mtl'), 'utf8'), /Kd 1 0 0/);
+  // The colour of the material is seen.
+  const colors = await page.evaluate(entry => JSON.stringify(window.frond.view.header.parts.filter(part => part.entry === entry).map(part => part.material ?? part)), files);
+  assert.match(colors, /\[1,0,0\]/);
+  await drop([['tree.blend', 'BLENDER-v300']]);
+  await page.getByText('a file of Blender').waitFor();
+  await drop([['oak.png', 'no mesh']]);
+  await page.getByText('oak.png is no mesh').waitFor();
+  assert.equal((await now()).organisms.length, files + 2);
+  assert.deepEqual(fs.readdirSync(scratch).filter(name => !folder.includes(name)).sort(), ['cask', 'chip.stl']);
+  assert.deepEqual(page.faults.filter(fault => !fault.includes('400')), []);
+});
+
 test('what the graphics card forgets is shown anew', async () => {
   const was = await parts(page);
   await page.evaluate(() => {

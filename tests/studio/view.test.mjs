@@ -1,7 +1,7 @@
 // How a person looks at what is there: turning, framing, marks, what is shown in a small window.
 import assert from 'node:assert/strict';
 import {before, test} from 'node:test';
-import {browse, pixelOf, preset, shown, start, visit} from './studio.mjs';
+import {browse, choose, pixelOf, preset, shown, start, visit} from './studio.mjs';
 
 const TEXT = `{
   "film": {"frames": 1, "size": [320, 240]},
@@ -76,7 +76,7 @@ test('what is marked keeps its colours', async () => {
 test('what is selected is brought into the window, from all sides', async () => {
   await page.getByTestId('organism:1').click();
   for (const name of ['frame', 'front', 'side', 'top']) {
-    await page.getByTestId(`view:${name}`).click();
+    await choose(page, 'views', `view:${name}`);
     await page.evaluate(() => window.frond.view.drawn());
     for (const [low, high] of await taken(1)) assert.ok(low > 0 && high < 1, `${name}: ${low} to ${high}`);
     assert.ok((await taken(1)).some(([low, high]) => high - low > 0.25), `${name}: it is too far away`);

@@ -254,11 +254,12 @@ class TreeGrower final : public Described<TreeParams, Grower> {
     double film_length = 0;
     std::shared_ptr<const Heights> ground;
     Seed look;
+    std::vector<Edit> edits = {};  ///< that leave branches bare
   };
 
   /// Gives a tree its model, and its life where that is filmed.
   static void stand(Specimen& tree, const Stand& by, std::shared_ptr<const GrownTree> grown) {
-    const auto& [params, cycles, filmed, film_length, ground, look] = by;
+    const auto& [params, cycles, filmed, film_length, ground, look, edits] = by;
     bool grows = filmed && params.growth.duration > 0;
     double cycle = filmed ? cycles + 0.5 : cycle_at(params.growth, cycles, film_length);
     Filming filming = filming_of(params.growth, cycles, 0);
@@ -271,12 +272,15 @@ class TreeGrower final : public Described<TreeParams, Grower> {
       tree.life.ground = ground;
     }
     tree.model = tree_model(params, *grown, cycle, filming, look);
+    strip_model(tree.model, edits);
     tree.model.notes = grown->notes;
     tree.life.held = grown->held();
-    tree.life.edit = [by, grown](Specimen& same, std::span<const Edit> edits) {
+    tree.life.edit = [by, grown](Specimen& same, std::span<const Edit> given) {
       auto changed = std::make_shared<GrownTree>(*grown);
-      std::vector<std::string> notes = edit_tree(*changed, edits);
-      stand(same, by, std::move(changed));
+      std::vector<std::string> notes = edit_tree(*changed, given);
+      Stand edited = by;
+      edited.edits.assign(given.begin(), given.end());
+      stand(same, edited, std::move(changed));
       same.model.notes.insert(same.model.notes.end(), notes.begin(), notes.end());
     };
     const Growth growth = tree.motion.growth;
@@ -284,11 +288,13 @@ class TreeGrower final : public Described<TreeParams, Grower> {
       return age_at_cycle(species, std::max(0.0, cycle_at(growth, cycles, time) - born));
     };
     if (!grows) return;
-    tree.life.develop = [params = params, grown, cycles = cycles, look = look, leafy,
-                         growth](double time) -> Result<Model> {
+    tree.life.develop = [params = params, grown, cycles = cycles, look = look, leafy, growth,
+                         edits = edits](double time) -> Result<Model> {
       Filming now = filming_of(growth, cycles, time);
       now.leafy = leafy;
-      return tree_model(params, *grown, cycle_at(growth, cycles, time), now, look);
+      Model model = tree_model(params, *grown, cycle_at(growth, cycles, time), now, look);
+      strip_model(model, edits);
+      return model;
     };
   }
 };

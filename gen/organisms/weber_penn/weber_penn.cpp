@@ -82,6 +82,17 @@ void describe(Visitor& v, StemLevel& s) {
   v.angle("curve_back", s.curve_back, kAngle, "Angle by which its upper half bends instead");
   v.angle("curve_v", s.curve_v, kAngle,
           "Random bending over the length; negative makes a helix of that slope");
+  v.curve(
+      "angle_along", s.angle_along,
+      "Factor of down_angle by the place on the parent, from 0 at its foot to 1 at its tip; of the leaves "
+      "as well that a stem of the level before bears");
+  v.curve("length_along", s.length_along, "Factor of the length by the place on the parent, as angle_along");
+  v.curve(
+      "radius_along", s.radius_along,
+      "Factor of the radius by the place on the parent, as angle_along; no stem is thicker than its parent "
+      "there");
+  v.curve("branches_along", s.branches_along,
+          "How densely stems stand by the place on the parent, as angle_along; their number stays");
 }
 
 template <class Visitor>

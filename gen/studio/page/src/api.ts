@@ -155,7 +155,7 @@ export function onNewToken(wanted: () => boolean, act: () => void): void {
 }
 
 async function call(method: string, path: string, body?: BodyInit | object, signal?: AbortSignal): Promise<Response> {
-  const plain = typeof body === "string" || body instanceof Blob || body === undefined;
+  const plain = typeof body === "string" || body instanceof Blob || body instanceof FormData || body === undefined;
   try {
     return await fetch(path, {
       method,
@@ -372,8 +372,13 @@ export async function save(file: string, doc: Doc, disk: string | null, overwrit
   return { is: "saved", ...((await answer.json()) as { file: string; disk: string; text: string }) };
 }
 
-/** Puts an OBJ file beside the presets; answers the name to write into an organism of kind "mesh". */
-export const mesh = (name: string, file: Blob, of: string): Promise<{ file: string }> => json("POST", `/api/mesh?name=${encodeURIComponent(name)}&of=${encodeURIComponent(of)}`, file);
+/** Puts a mesh beside the presets, with those of the other files that it names; answers the name to write into an organism of kind "mesh". */
+export function mesh(file: File, beside: File[], of: string): Promise<{ file: string }> {
+  const form = new FormData();
+  form.append("mesh", file);
+  for (const one of beside) form.append("beside", one);
+  return json("POST", `/api/mesh?of=${encodeURIComponent(of)}`, form);
+}
 
 /** Puts a PNG beside the presets; answers the name to write into a property that names one. */
 export const painted = (name: string, file: Blob, of: string): Promise<{ file: string; path: string }> => json("POST", `/api/painted?name=${encodeURIComponent(name)}&of=${encodeURIComponent(of)}`, file);

@@ -1,6 +1,7 @@
 /** Values that change over the film: keys of a time and a value each. */
 
 import { isObject, type Path } from "./pointer";
+import { isCurve } from "./schema";
 
 export type Key = [time: number, value: unknown, shape?: unknown];
 
@@ -93,13 +94,13 @@ export function withKey(value: unknown, time: number, at: unknown): Key[] {
 }
 
 /** Lists of points that are no keys. */
-const POINTS = new Set(["at", "points", "curve", "profile"]);
+const POINTS = new Set(["at", "points"]);
 
 /** Lists of keys in an object, to any depth, each with the way to it. */
 export function keyLists(value: unknown, path: Path = []): { path: Path; keys: Key[] }[] {
   if (!isObject(value)) return [];
   return Object.entries(value).flatMap(([name, inner]) => {
-    const keys = POINTS.has(name) ? null : keysOf(inner);
+    const keys = POINTS.has(name) || isCurve(name) ? null : keysOf(inner);
     if (keys?.every((k) => (k.length === 2 || k.length === 3 && typeof k[2] !== "number") && typeof k[0] === "number")) return [{ path: [...path, name], keys }];
     return keyLists(inner, [...path, name]);
   });

@@ -36,6 +36,7 @@ import "./styles/panels.css";
 import "./styles/pictures.css";
 import "./styles/gallery.css";
 import "./styles/film.css";
+import "./styles/phone.css";
 import * as api from "./api";
 import { anySeed } from "./controls/number";
 import { Section } from "./controls/group";

@@ -53,6 +53,7 @@ export class SceneLoop {
       this.most = MOST_NODES;
       this.session = crypto.randomUUID();
       this.grown = null;
+      this.asked = ""; // the same preset opened once more is a new question: the view was cleared
       this.took.clear();
     });
     store.on(["text", "time", "shown"], () => this.question() !== this.asked && this.want());

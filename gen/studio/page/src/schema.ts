@@ -83,8 +83,8 @@ function numberOf(schema: Schema, common = commonOf(schema)): NumberField {
   return { ...common, type: "number", low, high: Number(schema.maximum ?? Infinity), integer: schema.type === "integer" };
 }
 
-/** The names of lists of [x, y] that are curves rather than places. */
-const CURVES = new Set(["curve", "profile"]);
+/** Whether a list of [x, y] of that name is a curve rather than places or keys. */
+export const isCurve = (name: string): boolean => /^(curve|profile)$|_along$/.test(name);
 
 function arrayOf(schema: Schema, name: string): Field {
   const common = commonOf(schema);
@@ -93,7 +93,7 @@ function arrayOf(schema: Schema, name: string): Field {
   const most = Number(schema.maxItems ?? Infinity);
   if (isNumber(items) && least === most && least <= 4)
     return { ...common, type: "vector", items: Array.from({ length: least }, () => numberOf(items)) };
-  if (CURVES.has(name) && items.type === "array" && items.minItems === 2) return { ...common, type: "curve" };
+  if (isCurve(name) && items.type === "array" && items.minItems === 2) return { ...common, type: "curve" };
   const item = fieldOf(items, "");
   return { ...common, type: "list", item: item.type === "vector" ? { ...item, doc: common.doc } : item, least, most };
 }

@@ -1,4 +1,4 @@
-/** Adding an organism: of a kind, from another preset, or an OBJ file. */
+/** Adding an organism: of a kind, from another preset, or a file of a mesh. */
 
 import * as api from "../api";
 import { el, icon } from "../dom";
@@ -27,6 +27,11 @@ const EXAMPLES: Record<string, string> = {
 };
 const OF_THE_SEA = new Set(["coral", "massive", "columnar", "foliose", "table", "encrusting", "tube", "mushroom", "fan", "shell", "school"]);
 
+/** The names of files of meshes end so, as a rule; and those of the files that these name. */
+const MESHES = ".obj,.ply,.stl,.glb";
+const BESIDE = ".mtl,.png,.jpg,.jpeg,.webp";
+const LARGEST = 64e6; // bytes
+
 /** What lives in the setting first, then what stands in any, then what lives elsewhere. */
 export function inOrderOf<T extends { value: string }>(setting: string, kinds: T[]): T[] {
   const rank = ({ value }: T): number => (LIFELESS.has(value) ? 1 : OF_THE_SEA.has(value) === (setting === "underwater") ? 0 : 2);
@@ -34,7 +39,7 @@ export function inOrderOf<T extends { value: string }>(setting: string, kinds: T
 }
 
 export async function addOrganism(store: Store): Promise<void> {
-  let file: File | null = null;
+  let files: File[] = [];
   const looks = new Looks();
   const setting = String(getAt(store.preset.whole, ["scene", "setting"]) ?? "");
   const pictureOf = (kind: string): HTMLElement => {
@@ -51,23 +56,23 @@ export async function addOrganism(store: Store): Promise<void> {
     const kinds = inOrderOf(setting, store.schema.kinds).map(({ value, doc }, i) =>
       el("li", {}, el("button.choice", { type: "button", autofocus: i === 0, "data-testid": `add:${value}`, click: () => close(`kind ${value}`) }, pictureOf(value), el("strong", {}, spelled(value)), el("span", {}, doc))),
     );
-    const input = el<HTMLInputElement>("input", { type: "file", accept: ".obj", "aria-label": "OBJ file", change: () => {
-      file = input.files?.[0] ?? null;
-      if (file) close("file");
+    const input = el<HTMLInputElement>("input", { type: "file", multiple: true, accept: `${MESHES},${BESIDE}`, "aria-label": "Files of a mesh", "data-testid": "add-mesh", change: () => {
+      files = [...(input.files ?? [])];
+      if (files.length) close("file");
     } });
     return [
       el("h3", {}, "Of a kind"),
       el("ul.choices", { tabIndex: 0, "aria-label": "Kinds" }, ...kinds),
       el("h3", {}, "From another preset"),
       fromPreset(store, close),
-      el("h3", {}, "From an OBJ file"),
-      el("div.line", {}, input, el("span.hint", {}, "or drop one on the page")),
+      el("h3", {}, "From a mesh"),
+      el("div.line", {}, input, el("span.hint", {}, "OBJ with its MTL and pictures, PLY, STL or GLB; or drop them on the page")),
       el("div.answers", {}, el("button", { type: "button", click: () => close(null) }, "Cancel")),
     ];
   }, "add");
   looks.stop();
   if (!chosen) return;
-  if (chosen === "file" && file) return addMesh(store, file);
+  if (chosen === "file") return addMeshes(store, files);
   const [what, ...rest] = chosen.split(" ");
   if (what === "kind") store.addOrganism(ofKind(store, rest[0]!));
   else store.addOrganism(parse(rest.join(" ")));
@@ -105,17 +110,21 @@ function fromPreset(store: Store, close: (answer: string) => void): HTMLElement 
   return el("div.line", {}, files, organisms, add);
 }
 
-/** Sends an OBJ file to the server and lets it stand in the scene. */
-async function addMesh(store: Store, file: File, at: [number, number] = [0, 0]): Promise<void> {
+/** Lets the meshes among some files stand in the scene, side by side; the others are what these may name. */
+async function addMeshes(store: Store, files: File[], [x, z]: [number, number] = [0, 0]): Promise<void> {
   if (!store.isOpen) return say("Open a preset first, then drop the file on it.", true);
-  if (!/\.obj$/i.test(file.name)) return say(`${file.name} is no OBJ file.`, true);
-  if (file.size > 32e6) return say(`${file.name} is larger than 32 MB.`, true);
-  try {
-    const answer = await api.mesh(file.name, file, store.file);
-    store.addOrganism({ kind: "mesh", name: file.name.replace(/\.obj$/i, ""), file: answer.file, place: { at: [at], size_variation: 0, turn_variation: 0, lean: 0 } });
-    say(`${file.name} stands in the scene. Ivy climbs it.`);
-  } catch (error) {
-    say((error as Error).message, true);
+  const beside = files.filter(({ name }) => BESIDE.split(",").some((end) => name.toLowerCase().endsWith(end)));
+  const meshes = files.filter((file) => !beside.includes(file));
+  if (!meshes.length && files.length) return say(`${files[0]!.name} is no mesh: drop the mesh that names it together with it.`, true);
+  for (const [i, file] of meshes.entries()) {
+    if (files.reduce((sum, { size }) => sum + size, 0) > LARGEST) return say(`${file.name} and what came with it are larger than ${LARGEST / 1e6} MB.`, true);
+    try {
+      const answer = await api.mesh(file, beside, store.file);
+      store.addOrganism({ kind: "mesh", name: file.name.replace(/\.[^.]*$/, ""), file: answer.file, place: { at: [[Number((x + i).toFixed(2)), z]], size_variation: 0, turn_variation: 0, lean: 0 } });
+      say(`${file.name} stands in the scene. Ivy climbs it.`);
+    } catch (error) {
+      say((error as Error).message, true);
+    }
   }
 }
 
@@ -131,7 +140,7 @@ export function takeDrops(store: Store, groundAt: (x: number, y: number) => [num
   addEventListener("drop", (event) => {
     over(event);
     const [x, , z] = groundAt(event.clientX, event.clientY) ?? [0, 0, 0];
-    for (const file of event.dataTransfer?.files ?? []) void addMesh(store, file, [Number(x.toFixed(2)), Number(z.toFixed(2))]);
+    void addMeshes(store, [...(event.dataTransfer?.files ?? [])], [Number(x.toFixed(2)), Number(z.toFixed(2))]);
   });
 }
 

@@ -20,6 +20,12 @@ export interface Drawer {
 
 const KEY = "frond.drawer";
 
+/** Pixels above and below the drawer that are left to all else; and of a narrow window, where it lies over nothing else,
+ *  the share that the view keeps. */
+const REST = 260;
+const VIEW = 0.4;
+const LEAST = 120;
+
 /** `opening` is called before a tab shows itself. */
 export function drawer(tabs: Tab[], opening: () => void = () => undefined): Drawer {
   let current: string | null = null;
@@ -33,8 +39,14 @@ export function drawer(tabs: Tab[], opening: () => void = () => undefined): Draw
   const body = el("div.drawer-body", {}, ...panels);
   const element = el("section.drawer", { "aria-label": "Drawer" }, edge, el("div.tabs", { role: "tablist", "aria-label": "Drawer" }, ...buttons), body);
 
+  /** What the view may give up: on phones its bar, the time and the tabs take of it as well. */
+  const most = (): number => {
+    if (!matchMedia("(max-width: 640px)").matches) return innerHeight - REST;
+    const view = document.querySelector(".pictures-row")?.clientHeight ?? 0;
+    return view + (current ? body.clientHeight : 0) - Math.ceil(VIEW * innerHeight);
+  };
   const setHeight = (wanted: number): void => {
-    height = Math.round(Math.max(120, Math.min(wanted, innerHeight - 260)));
+    height = Math.round(Math.max(LEAST, Math.min(wanted, most())));
     localStorage.setItem(KEY, String(height));
     show();
   };
@@ -55,7 +67,7 @@ export function drawer(tabs: Tab[], opening: () => void = () => undefined): Draw
     if (name !== current) left();
     if (!current) opening();
     current = name;
-    height = Math.max(120, Math.min(height, innerHeight - 260));
+    height = Math.max(LEAST, Math.min(height, most()));
     show();
     tabs.find((t) => t.name === name)?.opened?.();
   };
@@ -88,6 +100,12 @@ export function drawer(tabs: Tab[], opening: () => void = () => undefined): Draw
     if (!step) return;
     event.preventDefault();
     setHeight(height + step);
+  });
+  // As where a phone is turned.
+  addEventListener("resize", () => {
+    if (!current) return;
+    height = Math.max(LEAST, Math.min(height, most()));
+    show();
   });
   show();
   return {

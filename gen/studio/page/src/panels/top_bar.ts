@@ -20,6 +20,7 @@ export interface TopActs {
 export function topBar(store: Store, acts: TopActs): HTMLElement {
   const undo = iconButton("undo", "Undo (Ctrl+Z)", () => store.undo(), { "data-testid": "undo" });
   const redo = iconButton("redo", "Redo (Ctrl+Shift+Z)", () => store.redo(), { "data-testid": "redo" });
+  redo.classList.add("when-roomy");
   const name = el("h1.file", { "data-testid": "file" });
   const mark = el("span.unsaved", { "data-testid": "unsaved", hidden: true }, "unsaved");
   const save = el<HTMLButtonElement>("button", { type: "button", "data-testid": "save", "data-tip": "Save (Ctrl+S)", click: acts.save }, "Save");
@@ -34,6 +35,7 @@ export function topBar(store: Store, acts: TopActs): HTMLElement {
       el("button", { type: "button", "data-testid": "variations", "aria-label": "Variations", "data-tip": "A wall of nine variations", click: acts.wall }, icon("wall"), el("span.when-wide", {}, "Variations"))), render),
   ];
   const more = iconButton("more", "More", () => openMenu(more, [
+    { label: "Redo", act: () => store.redo(), disabled: !store.canRedo },
     { label: "Save as …", act: acts.saveAs },
     { label: "Export …", act: () => acts.exports(more) },
     { label: "Another seed", act: acts.seed },

@@ -14,6 +14,7 @@ import type { Drag, Tool } from "../view/tool";
 import type { View } from "../view/view";
 import { bent } from "./beam";
 import { Marks, touches } from "../view/marks";
+import { toolButton } from "./button";
 
 const COLORS = { hangs: 0xffa63d, axis: 0xffffff, handle: 0x59c36a };
 const FAR = 1e4; // metres
@@ -27,8 +28,8 @@ interface Edit {
   cut?: boolean | number;
   bend?: [number, number, number];
   strength?: number;
+  bare?: boolean;
 }
-
 
 export class Branches implements Tool {
   readonly drawn = new Marks();
@@ -44,6 +45,7 @@ export class Branches implements Tool {
   private year = el<HTMLInputElement>("input.number", { type: "number", min: "1", step: "1", size: 5, "aria-label": "Year in which it is cut", "data-testid": "cut-year" });
   private lost = el("details.lost-edits", { hidden: true, "data-testid": "lost-edits" }) as HTMLDetailsElement;
   private lostShown = "";
+  private bare: HTMLElement;
   private byYear: HTMLElement;
   private acts: HTMLElement;
 
@@ -51,15 +53,16 @@ export class Branches implements Tool {
     private store: Store,
     private view: View,
   ) {
-    const button = (name: string, label: string, tip: string, click: () => void): HTMLElement =>
-      el("button.small", { type: "button", "data-testid": `branch:${name}`, "data-tip": tip, click }, label);
+    const button = (name: string, label: string, tip: string, click: () => void): HTMLElement => toolButton(`branch:${name}`, label, tip, click);
     this.byYear = el("span.cluster", {}, this.year, button("cut-year", "Cut in that year", "The tree answers with new shoots", () => this.cut(Number(this.year.value))));
+    this.bare = button("bare", "Bare", "No leaves, flowers or fruit on it, nor on what hangs on it", () => this.strip());
     this.acts = el(
       "div.cluster", { role: "group", "aria-label": "What is done with the branch", hidden: true },
       button("cut", "Cut", "Saws it off there (Delete)", () => this.cut(true)),
       this.byYear,
       button("stronger", "Stronger", "Longer and thicker, with all that hangs on it", () => this.strengthen(STRONGER)),
       button("weaker", "Weaker", "Shorter and thinner", () => this.strengthen(1 / STRONGER)),
+      this.bare,
       button("undo", "As it grew", "Takes back all that was done with it", () => this.forget()),
     );
     const find = button("find", "Find", "Picks the branch of that address", () => void this.find(this.address.value));
@@ -203,6 +206,7 @@ export class Branches implements Tool {
       this.address.value = found.at;
       this.store.select(found.entry);
       const cm = round(200 * found.radius, 1);
+      this.bare.setAttribute("aria-pressed", String(this.edits(found).some((e) => this.same(found, e) && e.bare === true)));
       this.told.textContent = `${this.store.preset.nameOf(found.entry)}, branch ${found.at}: ${cm} cm thick. Drag the green point to bend it.`;
     }
     this.show();
@@ -245,19 +249,34 @@ export class Branches implements Tool {
     });
   }
 
+  /** Takes its leaves, or gives them back. */
+  private strip(): void {
+    this.write((all, same) => {
+      const was = all.find((e) => same(e) && e.bare === true);
+      return was ? all.filter((e) => e !== was) : [...all, { bare: true }];
+    });
+  }
+
   private forget(): void {
     this.write((all, same) => all.filter((e) => !same(e)));
+  }
+
+  private edits({ entry }: Picked): Edit[] {
+    const given = getAt(this.store.preset.organism(entry), ["edits"]);
+    return Array.isArray(given) ? (given as Edit[]) : [];
+  }
+
+  private same(picked: Picked, edit: Edit): boolean {
+    return edit.at === picked.at && (edit.plant ?? picked.plant) === picked.plant;
   }
 
   /** Edits the list of the organism; an item without `at` is one of the branch that is picked. */
   private write(change: (all: Edit[], same: (edit: Edit) => boolean) => Partial<Edit>[]): void {
     const { picked, store } = this;
     if (!picked) return;
-    const given = getAt(store.preset.organism(picked.entry), ["edits"]);
-    const all = Array.isArray(given) ? (given as Edit[]) : [];
+    const all = this.edits(picked);
     const alone = (this.view.head?.entries[picked.entry]?.specimens ?? 1) === 1;
-    const same = (edit: Edit): boolean => edit.at === picked.at && (edit.plant ?? picked.plant) === picked.plant;
-    const edits = change(all, same).map((edit) => (edit.at !== undefined ? edit : { at: picked.at, ...(alone ? {} : { plant: picked.plant }), ...edit }));
+    const edits = change(all, (edit) => this.same(picked, edit)).map((edit) => (edit.at !== undefined ? edit : { at: picked.at, ...(alone ? {} : { plant: picked.plant }), ...edit }));
     const path = ["organisms", picked.entry, "edits"];
     // What is added at the end is written there, so that comments among the others stay.
     const added = edits.length === all.length + 1 && all.every((edit, i) => edit === edits[i]);

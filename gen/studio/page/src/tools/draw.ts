@@ -15,6 +15,7 @@ import { Marks, touches } from "../view/marks";
 import { thinned } from "./thinned";
 import { handleOf, slope, splinePlaces } from "./spline";
 import { strokesFor, type Stroke, type StrokeLine, type StrokePoint } from "./strokes";
+import { toolButton } from "./button";
 
 const COLORS = { drawn: 0xffa63d, line: 0x6aa5ff, handle: 0x6aa5ff, chosen: 0xffffff, tangent: 0x59c36a };
 /** How far ahead of the eye a stroke is shown whose depth is not known yet. */
@@ -54,7 +55,7 @@ export class Draw implements Tool {
     private store: Store,
     private view: View,
   ) {
-    const button = (name: string, label: string, tip: string, click: () => void): HTMLElement => el("button.small", { type: "button", "data-testid": `draw:${name}`, "data-tip": tip, click }, label);
+    const button = (name: string, label: string, tip: string, click: () => void): HTMLElement => toolButton(`draw:${name}`, label, tip, click);
     this.options = el("div.tool-options", { "data-testid": "draw" }, el("div.cluster", {}, this.what, this.wide, this.pulls, this.finish),
       el("div.cluster", {},
         button("before", "◂", "The point before", () => this.chooseNext(-1)),

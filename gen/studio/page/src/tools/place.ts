@@ -8,6 +8,7 @@ import type { Store } from "../store";
 import type { Drag, Tool } from "../view/tool";
 import type { View } from "../view/view";
 import { Marks, touches } from "../view/marks";
+import { toolButton } from "./button";
 
 const COLORS = { foot: 0xffffff, chosen: 0xffa63d, turn: 0x6aa5ff, size: 0x59c36a };
 const SNAP = { metres: 0.25, degrees: 15 };
@@ -34,7 +35,7 @@ export class PlaceTool implements Tool {
     private store: Store,
     private view: View,
   ) {
-    const button = (name: string, label: string, tip: string, click: () => void): HTMLElement => el("button.small", { type: "button", "data-testid": `place:${name}`, "data-tip": tip, click }, label);
+    const button = (name: string, label: string, tip: string, click: () => void): HTMLElement => toolButton(`place:${name}`, label, tip, click);
     this.options = el(
       "div.tool-options", { "data-testid": "placing" }, this.told,
       el("div.cluster", {},

@@ -1,0 +1,60 @@
+#include "studio/put_files.h"
+
+#include <fmt/format.h>
+
+#include "core/files.h"
+#include "core/printable.h"
+
+namespace frond {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kMost = 1000;  // of one name
+
+/// Whether files stand in a folder as they are told.
+bool holds(const fs::path& folder, const std::map<std::string, std::string>& contents) {
+  for (const auto& [name, content] : contents)
+    if (Result<std::string> there = read_file(folder / name); !there || *there != content) return false;
+  return true;
+}
+
+}  // namespace
+
+Result<PutFiles> put_beside(const fs::path& folder, const std::string& name, const std::string& content) {
+  // The name is a person's; what becomes of it is a plain one that nothing else has.
+  std::string stem = plain_name(fs::path(name).stem().string(), "file").substr(0, 60);
+  std::string type = fs::path(name).extension().string();
+  std::error_code error;
+  for (int number = 1; number < kMost; ++number) {
+    std::string own = number == 1 ? stem + type : fmt::format("{}-{}{}", stem, number, type);
+    if (fs::exists(folder / own, error)) {
+      Result<std::string> there = read_file(folder / own);
+      if (there && *there == content) return PutFiles{own};
+      continue;
+    }
+    Result<bool> written = write_file(folder / own, content);
+    if (!written) return written.errors();
+    return PutFiles{own, true};
+  }
+  return Error{name, "there are too many files of that name"};
+}
+
+Result<PutFiles> put_folder(const fs::path& folder, const std::string& name,
+                            const std::map<std::string, std::string>& contents) {
+  for (int number = 1; number <= kMost; ++number) {
+    std::string own = number == 1 ? name : fmt::format("{}-{}", name, number);
+    std::error_code error;
+    if (fs::exists(folder / own, error)) {
+      if (holds(folder / own, contents)) return PutFiles{own};
+      continue;
+    }
+    for (const auto& [file, content] : contents)
+      if (Result<bool> written = write_file(folder / own / file, content); !written) return written.errors();
+    return PutFiles{own, true};
+  }
+  return Error{name, "there are too many folders of that name"};
+}
+
+}  // namespace frond
