@@ -46,7 +46,7 @@ def main():
     rows = [
         ("lines with look.skin, look.bark, look.coat", f"{sum(uses.values())} in {sum(n > 0 for n in uses.values())} files"),
         ("C++ that mirrors macros", lines(mirrors)),
-        ("gen/emit", lines(p for p in sources if p.parent.name == "emit")),
+        ("gen/output/emit", lines(p for p in sources if p.parent.name == "emit")),
         ("scripts/", lines(scripts)),
         (f"functions over {LONG} lines", len(long)),
         ("gen/ without the page", lines(sources)),

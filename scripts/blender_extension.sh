@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The extension for Blender as a zip: the manifest and the modules of gen/blender, the same bytes each time.
+# The extension for Blender as a zip: the manifest and the modules of gen/apps/blender, the same bytes each time.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 . "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
@@ -20,7 +20,7 @@ while (($#)); do
     *) unknown_option "$1" ;;
   esac
 done
-python3 - "$root/gen/blender" "$out" <<'PYTHON'
+python3 - "$root/gen/apps/blender" "$out" <<'PYTHON'
 import pathlib
 import sys
 import zipfile

@@ -65,7 +65,7 @@ npm_packages() {
 
 # The page of the studio, made anew where a source of it is newer.
 build_page() {
-  local page=$root/gen/studio/page
+  local page=$root/gen/apps/studio/page
   local built=$page/dist/index.html
   npm_packages "$page" "$page"
   if [[ -f $built && -z $(find "$page" -path "$page/node_modules" -prune -o -path "$page/dist" -prune -o -type f -newer "$built" -print -quit) ]]; then

@@ -12,7 +12,7 @@ import sys
 MAX_LINES = 400
 
 # What stands on top of all modules: the command line, and the module for Python.
-PROGRAMS = ("app", "python")
+PROGRAMS = ("cli", "python")
 
 # A kind of organism is a folder of its own below this module; nobody outside knows its parameters.
 KINDS = "organisms"
@@ -28,7 +28,7 @@ RESERVED = {
     "openvdb/": lambda path: path.parent.name == "field" and path.suffix == ".cpp",
     "OpenEXR/": lambda path: (path.parent.name, path.name) == ("images", "exr.cpp"),
     "Imath/": lambda path: (path.parent.name, path.name) == ("images", "exr.cpp"),
-    "CLI/": lambda path: path.parent.name == "app",
+    "CLI/": lambda path: path.parent.name == "cli",
     "pybind11/": lambda path: path.parent.name == "python",
 }
 
@@ -42,27 +42,32 @@ BANNED = {
     r"\bunordered_(?:multi)?(?:map|set)\b": "an unordered container: its order differs from one library to the next",
 }
 # These tell people how long something takes; nothing that they make depends on it.
-MAY_BREAK = {module: {r"\b(?:system|steady|high_resolution)_clock\b"} for module in ("studio", "app")}
+MAY_BREAK = {module: {r"\b(?:system|steady|high_resolution)_clock\b"} for module in ("studio", "cli")}
 # Looked for in comments, too.
 LEFT_BEHIND = {r"\b(?:TODO|FIXME|XXX)\b": "left behind: do it"}
 
 
 def read_modules(text):
-    """name -> what it may include, itself among them: the DEPENDS of gen_module(), which must not go in a circle.
+    """name -> its group, and name -> what it may include, itself among them: the DEPENDS of gen_module(), which stand
+    above it, so that neither modules nor groups go in a circle.
     What a header brings along is held to that too, since each file on the way is."""
-    direct = {}
-    for call in re.finditer(r"^gen_module\(\s*(\w+)([^)]*)\)", text, re.MULTILINE):
-        depends = re.search(r"DEPENDS((?:\s+[a-z_]+)+)", call.group(2))
-        direct[call.group(1)] = depends.group(1).split() if depends else []
+    groups, direct, group = {}, {}, None
+    for call in re.finditer(r"^gen_(group|module)\(\s*(\w+)([^)]*)\)", text, re.MULTILINE):
+        name = call.group(2)
+        if call.group(1) == "group":
+            group = name
+            continue
+        depends = re.search(r"DEPENDS((?:\s+[a-z_]+)+)", call.group(3))
+        groups[name], direct[name] = group, depends.group(1).split() if depends else []
 
-    def reach(name, above=()):
-        if name in above:
-            sys.exit("gen/CMakeLists.txt: the modules depend in a circle: " + " -> ".join((*above, name)))
-        return {name}.union(*(reach(child, (*above, name)) for child in direct.get(name, [])))
+    def reach(name):
+        return {name}.union(*map(reach, direct[name]))
 
     for name in direct:
-        reach(name)
-    return {name: {name, *depends} for name, depends in direct.items()}
+        for below in direct[name]:
+            if below not in direct or list(direct).index(below) >= list(direct).index(name):
+                sys.exit(f"gen/CMakeLists.txt: {name} depends on {below}, which does not stand above it")
+    return groups, {name: reach(name) for name in direct}
 
 
 def without_comments(text):
@@ -81,7 +86,7 @@ def line_of(text, position):
 
 def check_kind(path, shown, text):
     """A kind includes no other kind, and what stands outside includes none and names no parameters of one."""
-    kind = shown.parts[2] if len(shown.parts) == 4 else None
+    kind = shown.parts[3] if len(shown.parts) == 5 else None
     for include in re.finditer(rf'^\s*#\s*include\s*"{KINDS}/(\w+)/', text, re.MULTILINE):
         if include.group(1) != kind:
             yield f"{shown}:{line_of(text, include.start(1))}: the kind {include.group(1)} is known in its own folder only"
@@ -92,7 +97,7 @@ def check_kind(path, shown, text):
 
 def check_file(path, shown, modules):
     text = path.read_text(encoding="utf-8")
-    module = shown.parts[1]
+    module = shown.parts[2]
     yield from check_kind(path, shown, text)
     lines = text.count("\n")
     if lines > MAX_LINES:
@@ -140,7 +145,7 @@ def types_of(text):
 
 def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[1]).resolve()
-    modules = read_modules((root / "gen/CMakeLists.txt").read_text(encoding="utf-8"))
+    groups, modules = read_modules((root / "gen/CMakeLists.txt").read_text(encoding="utf-8"))
     if not modules:
         sys.exit("gen/CMakeLists.txt: no gen_module() found")
     faults, files, defined = [], 0, {}
@@ -149,16 +154,17 @@ def main():
             continue
         files += 1
         shown = path.relative_to(root)
-        if len(shown.parts) != (4 if shown.parts[1] == KINDS and len(shown.parts) > 3 else 3):
-            faults.append(f"{shown}: gen/ has two levels, gen/<module>/<file>, and {KINDS} a third, its kinds")
+        if len(shown.parts) < 4 or len(shown.parts) > (5 if shown.parts[2] == KINDS else 4):
+            faults.append(f"{shown}: gen/ has three levels, gen/<group>/<module>/<file>, and {KINDS} a fourth, its kinds")
             continue
-        if shown.parts[1] not in modules and shown.parts[1] not in PROGRAMS:
-            faults.append(f"{shown}: {shown.parts[1]} is no module of gen/CMakeLists.txt")
+        group, module = shown.parts[1:3]
+        if groups.get(module, "apps" if module in PROGRAMS else None) != group:
+            faults.append(f"{shown}: {module} is no module of {group} in gen/CMakeLists.txt")
         faults.extend(check_file(path, shown, modules))
         for name in types_of(path.read_text(encoding="utf-8")):
             if defined.setdefault(name, shown) != shown:
                 faults.append(f"{shown}: {name} is a type of {defined[name]} already: one of them wants another name")
-    print("\n".join(faults) if faults else f"{files} files in {len(modules)} modules keep to the layers")
+    print("\n".join(faults) if faults else f"{files} files in {len(modules)} modules and {len(set(groups.values()))} groups keep to the layers")
     sys.exit(1 if faults else 0)
 
 

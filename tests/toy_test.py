@@ -190,26 +190,26 @@ def main():
                 shutil.copy2(source, target)
         (tree / "docs/kinds").mkdir(parents=True)
         shutil.copy2(root / "docs/kinds/strips.json", tree / "docs/kinds")
-        (tree / "gen/organisms/toy").mkdir()
-        (tree / "gen/organisms/toy/kind.cpp").write_text(KIND.lstrip())
-        add_row(tree / "gen/organisms/kinds.h", "FROND_KINDS", "toy")
-        (tree / "gen/settings/toyshop.cpp").write_text(SETTING.lstrip())
-        (tree / "gen/emit/setting_toyshop.cpp").write_text(SETTING_TEXT.lstrip())
-        add_row(tree / "gen/settings/settings.h", "FROND_SETTINGS", "toyshop")
-        put_before(tree / "gen/model/matter.h", "};\n\n/// What a material is,", "  candy,\n")
-        put_before(tree / "gen/model/matter.h", "};\n\nconstexpr const MatterRow& row_of",
+        (tree / "gen/scene/organisms/toy").mkdir()
+        (tree / "gen/scene/organisms/toy/kind.cpp").write_text(KIND.lstrip())
+        add_row(tree / "gen/scene/organisms/kinds.h", "FROND_KINDS", "toy")
+        (tree / "gen/scene/settings/toyshop.cpp").write_text(SETTING.lstrip())
+        (tree / "gen/output/emit/setting_toyshop.cpp").write_text(SETTING_TEXT.lstrip())
+        add_row(tree / "gen/scene/settings/settings.h", "FROND_SETTINGS", "toyshop")
+        put_before(tree / "gen/form/model/matter.h", "};\n\n/// What a material is,", "  candy,\n")
+        put_before(tree / "gen/form/model/matter.h", "};\n\nconstexpr const MatterRow& row_of",
                    ', {Matter::candy, "candy", "Candy_Stripes", 2}')
         (tree / "povinc/frond_candy.inc").write_text(MACRO.lstrip())
-        (tree / "gen/export/count.cpp").write_text(FORMAT.lstrip())
-        put_before(tree / "gen/export/formats.h", "// The texts of the formats",
+        (tree / "gen/output/export/count.cpp").write_text(FORMAT.lstrip())
+        put_before(tree / "gen/output/export/formats.h", "// The texts of the formats",
                    "Result<bool> write_count(const ExportScene&, const ExportOptions&, const std::filesystem::path&);\n")
-        put_before(tree / "gen/export/formats.cpp", '    {".obj",',
+        put_before(tree / "gen/output/export/formats.cpp", '    {".obj",',
                    '{".count", "how many meshes there are", [](const ExportSize&) { return 10.0; }, kAny, write_count},\n')
-        put_before(tree / "gen/grammar/symbols.h", "turn_back, roll_back,", "leap, ")
-        put_before(tree / "gen/grammar/symbols.cpp", '    {"F",', '    {"@J", Act::leap, Act::leap, "leap up: @J(metres)"},\n')
-        put_before(tree / "gen/grammar/turtle.h", "      case Act::roll_back:",
+        put_before(tree / "gen/growth/grammar/symbols.h", "turn_back, roll_back,", "leap, ")
+        put_before(tree / "gen/growth/grammar/symbols.cpp", '    {"F",', '    {"@J", Act::leap, Act::leap, "leap up: @J(metres)"},\n')
+        put_before(tree / "gen/growth/grammar/turtle.h", "      case Act::roll_back:",
                    "      case Act::leap:\n        now_.position.y += given ? parameters[0] : 1;\n        return;\n")
-        put_before(tree / "gen/settings/studio.cpp", "          {Vec3(0, 3,", "          {Vec3(3, 1, 0), Vec3(0, 0, 0.375f)},\n")
+        put_before(tree / "gen/scene/settings/studio.cpp", "          {Vec3(0, 3,", "          {Vec3(3, 1, 0), Vec3(0, 0, 0.375f)},\n")
         (tree / "templates/new/toy.json").write_text(json.dumps(TEMPLATE))
         # What was compiled in the tree itself need not be compiled again.
         env = {**os.environ, "XDG_CACHE_HOME": str(tree / "cache"), "CCACHE_BASEDIR": str(tree), "CCACHE_NOHASHDIR": "1"}

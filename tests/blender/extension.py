@@ -33,7 +33,7 @@ def install(folder):
         files = set(archive.namelist())
         manifest = tomllib.loads(archive.read("blender_manifest.toml").decode())
         archive.extractall(addons / "frond_blender")
-    assert files == {"blender_manifest.toml", *(file.name for file in pathlib.Path("gen/blender").glob("*.py"))}, files
+    assert files == {"blender_manifest.toml", *(file.name for file in pathlib.Path("gen/apps/blender").glob("*.py"))}, files
     assert all(manifest[key] for key in REQUIRED) and manifest["schema_version"] == "1.0.0" and manifest["type"] == "add-on"
     assert all(name.startswith("SPDX:") for name in manifest["license"]) and len(manifest["tagline"]) <= 64
     assert list(manifest["permissions"]) == ["files"] and len(manifest["permissions"]["files"]) <= 64

@@ -8,7 +8,7 @@ rm -rf -- "$scratch"
 mkdir -p -- "$scratch"
 export PIP_ROOT_USER_ACTION=ignore
 pip=(/usr/bin/python3 -m pip --disable-pip-version-check --quiet)
-"${pip[@]}" wheel --no-deps --no-build-isolation --wheel-dir "$scratch" gen/python
+"${pip[@]}" wheel --no-deps --no-build-isolation --wheel-dir "$scratch" gen/apps/python
 "${pip[@]}" install --no-deps --no-index --target "$scratch/site" "$scratch"/frond-*.whl
 cd -- "$scratch"
 PYTHONPATH=$scratch/site /usr/bin/python3 - <<'TEXT'

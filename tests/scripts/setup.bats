@@ -84,7 +84,7 @@ PY
 fresh_clone() {
   clone=$BATS_TEST_TMPDIR/clone
   local folder
-  for folder in tests/gltf tests/studio gen/studio/page; do
+  for folder in tests/gltf tests/studio gen/apps/studio/page; do
     mkdir -p "$clone/$folder"
     cp "$ROOT/$folder"/package*.json "$clone/$folder"
   done

@@ -1,7 +1,7 @@
 /** A grammar that is typed, and what the turtle draws of it beside. */
 
-import { codeArea, type CodeArea } from "../../../gen/studio/page/src/controls/code_area";
-import { el, grouped, iconButton, quiet } from "../../../gen/studio/page/src/dom";
+import { codeArea, type CodeArea } from "../../../gen/apps/studio/page/src/controls/code_area";
+import { el, grouped, iconButton, quiet } from "../../../gen/apps/studio/page/src/dom";
 import { engine, type Fault } from "./engine";
 import { EMPTY, fileOf, formOf, fromFragment, LISTS, placeOf, textOf, toFragment, type Form, type List, type Place } from "./form";
 import { copyLink, save } from "./savings";

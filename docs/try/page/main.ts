@@ -1,10 +1,10 @@
 /** The page: a grammar that is typed, or a tree that grows for light. The part of the address behind # says which. */
 
-import "../../../gen/studio/page/src/styles/base.css";
-import "../../../gen/studio/page/src/styles/editors.css";
+import "../../../gen/apps/studio/page/src/styles/base.css";
+import "../../../gen/apps/studio/page/src/styles/editors.css";
 import "./style.css";
 
-import { el } from "../../../gen/studio/page/src/dom";
+import { el } from "../../../gen/apps/studio/page/src/dom";
 import { engine, treeOf } from "./engine";
 import { grammarPage } from "./grammar";
 import { isTreeLink, treePage } from "./tree";

@@ -1,6 +1,6 @@
 /** Links and files of what is shown. */
 
-import { el } from "../../../gen/studio/page/src/dom";
+import { el } from "../../../gen/apps/studio/page/src/dom";
 
 export function save(name: string, blob: Blob): void {
   const link = el<HTMLAnchorElement>("a", { href: URL.createObjectURL(blob), download: name });

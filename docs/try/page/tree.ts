@@ -1,6 +1,6 @@
 /** A tree that grows for light: its species, age, seed and the time of the year, and the tree beside. */
 
-import { el, grouped, iconButton, quiet } from "../../../gen/studio/page/src/dom";
+import { el, grouped, iconButton, quiet } from "../../../gen/apps/studio/page/src/dom";
 import { INTERNODES, treeOf, type Tree } from "./engine";
 import { copyLink, save } from "./savings";
 import { treeViewOn } from "./tree_view";

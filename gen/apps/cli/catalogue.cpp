@@ -1,0 +1,179 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "cli/commands.h"
+#include "cli/heartbeat.h"
+#include "cli/inputs.h"
+#include "cli/pace.h"
+#include "cli/streams.h"
+#include "core/figures.h"
+#include "core/files.h"
+#include "core/printable.h"
+#include "draw/sizes.h"
+#include "estimate/estimate_cost.h"
+#include "grammar/symbols.h"
+#include "preset/json.h"
+#include "scene/describe.h"
+#include "scene/scene.h"
+
+// What there is and how large it is: check, info, list, schema.
+
+namespace frond {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// One thing that can be named in a preset.
+struct Entry {
+  std::string group, name, doc;
+};
+
+std::vector<Entry> entries(const fs::path& root) {
+  std::vector<Entry> list;
+  for (const auto& row : organism_kinds())
+    list.push_back({"growers", std::string(row.name), std::string(row.doc)});
+  for (const auto& row : settings())
+    list.push_back({"settings", std::string(row.name), std::string(row.doc)});
+  std::vector<fs::path> files = files_below(root / "presets");
+  std::erase_if(
+      files, [](const fs::path& file) { return file.extension() != ".json" || is_grammar(file.string()); });
+  for (const fs::path& file : files) {
+    Result<std::string> text = read_file(file);
+    Result<Preset> preset = text ? read_preset(*text, file.string(), {}) : text.errors();
+    list.push_back(
+        {"presets", file.lexically_relative(root).string(), preset ? preset->title : "(has faults)"});
+  }
+  for (const TurtleSymbol& symbol : turtle_symbols())
+    list.push_back({"symbols", std::string(symbol.name), std::string(symbol.doc)});
+  return list;
+}
+
+std::string sizes_json(const std::vector<GrownSize>& sizes) {
+  Value list = make_list();
+  for (const GrownSize& s : sizes) {
+    Value one = make_object();
+    one.set("name", make_text(s.name)).set("count", make_number(static_cast<double>(s.count)));
+    one.set("height", make_number(s.height))
+        .set("width", make_number(s.width))
+        .set("stem", make_number(s.stem));
+    list.items.push_back(std::move(one));
+  }
+  return ", \"sizes\": " + serialize(list);
+}
+
+}  // namespace
+
+int check(const std::vector<std::string>& paths, const PresetArguments& common) {
+  int result = kDone;
+  for (const std::string& path : paths) {
+    PresetArguments named = common;
+    named.path = path;
+    if (std::error_code error; fs::exists(path, error) && is_grammar(path)) {
+      if (int code = check_grammar(named); code != kDone) result = code;
+      continue;
+    }
+    Result<Preset> preset = load_preset(named);
+    if (preset) {
+      tell_notes(preset->notes);
+    } else {
+      result = fail(preset.errors(), kWrongInput);
+    }
+  }
+  return result;
+}
+
+int info(const InfoArguments& to) {
+  const PresetArguments& arguments = to.preset;
+  if (is_grammar(arguments.path)) return info_grammar(arguments.path, arguments.assets, to.json);
+  Heartbeat heartbeat;
+  Result<Preset> preset = load_preset(arguments);
+  if (!preset) return fail(preset.errors(), kWrongInput);
+  tell_notes(preset->notes);
+  Result<FrameRange> asked = read_frames(to.frames, preset->film.frames, {1, preset->film.frames});
+  if (!asked) return fail(asked.errors(), kWrongInput);
+  Result<int> frame = read_frame(to.frame, preset->film.frames);
+  if (!frame) return fail(frame.errors(), kWrongInput);
+  bool json = to.json, sizes = to.sizes || to.frame > 0;
+  preset->film.raw = is_resolved(preset->film, std::nullopt);
+  FrameRange range = drawn_frames(preset->film, *asked);
+  now_doing("estimating how much there will be");
+  Result<CostEstimate> estimate = estimate_cost(*preset, {range.first, range.last});
+  if (!estimate) return fail(estimate.errors(), kWrongInput);
+  const CostEstimate& f = *estimate;
+  Machine machine = this_machine(".");
+  double memory = f.memory(f.at_once(machine));
+  std::vector<GrownSize> grown;
+  if (sizes) {
+    now_doing("growing what stands in the scene");
+    Result<Scene> scene = build_scene(*preset);
+    if (!scene) return fail(scene.errors(), kWrongInput);
+    Result<std::vector<GrownSize>> there = sizes_of(*scene, *preset, preset->film.time(*frame));
+    if (!there) return fail(there.errors(), kCouldNot);
+    grown = std::move(*there);
+  }
+  Pace pace = pace_of(pace_key(arguments.path));
+  double render = pace.factor * f.frames * f.render_seconds;
+  if (json)
+    put(
+        fmt::format("{{\"organisms\": {:.0f}, \"modules\": {:.0f}, \"nodes\": {:.0f}, \"organs\": {:.0f}, "
+                    "\"copies\": {:.0f}, \"models\": {:.0f}, \"memory_bytes\": {:.0f}, \"frames\": {}, "
+                    "\"bytes_a_frame\": {:.0f}, \"written_bytes\": {:.0f}, \"disk_bytes\": {:.0f}, "
+                    "\"seconds\": {:.2f}, \"render_seconds\": {:.1f}{}}}\n",
+                    f.organisms, f.modules, f.nodes, f.organs, f.copies, f.models, memory, f.frames,
+                    f.frame_bytes + f.picture_bytes, f.written(), f.disk(), f.seconds(), render,
+                    sizes ? sizes_json(grown) : ""));
+  else
+    put(fmt::format(
+        "about {:.0f} organisms, {:.0f} modules, {:.0f} nodes, {:.0f} organs; {:.0f} copies of {:.0f} "
+        "models; {} of memory; {} frames of {}, {} in all; {} of processor to generate, "
+        "{} to render (reckoned {})\n",
+        f.organisms, f.modules, f.nodes, f.organs, f.copies, f.models, bytes_text(memory), f.frames,
+        bytes_text(f.frame_bytes + f.picture_bytes), bytes_text(f.disk()), seconds_text(f.seconds()),
+        seconds_text(render), pace.measured));
+  if (!json)
+    for (const std::string& line : sizes_lines(grown)) put(line + "\n");
+  Errors errors = refuse(f, machine);
+  for (Error& error : errors) error.where = arguments.path;
+  return errors.empty() ? kDone : fail(errors, kWrongInput);
+}
+
+int list_files(const PresetArguments& arguments) {
+  Result<Preset> preset = load_preset(arguments);
+  if (!preset) return fail(preset.errors(), kWrongInput);
+  std::set<std::string> names{arguments.path};
+  for (const fs::path& file : preset->files) names.insert(file.string());
+  for (const std::string& name : names) put(name + '\0');
+  return kDone;
+}
+
+int list_everything(bool json) {
+  Result<fs::path> root = home();
+  if (!root) return fail(root.errors(), kCouldNot);
+  std::string group;
+  Value all = make_list();
+  for (const Entry& entry : entries(*root)) {
+    if (json) {
+      Value row = make_object();
+      row.set("group", make_text(entry.group))
+          .set("name", make_text(entry.name))
+          .set("doc", make_text(entry.doc));
+      all.items.push_back(std::move(row));
+      continue;
+    }
+    if (entry.group != group) put(entry.group + "\n");
+    group = entry.group;
+    put(fmt::format("  {:24} {}\n", printable(entry.name), printable(entry.doc)));
+  }
+  if (json) put(serialize_pretty(all) + "\n");
+  return kDone;
+}
+
+int print_schema() {
+  put(preset_schema());
+  return kDone;
+}
+
+}  // namespace frond

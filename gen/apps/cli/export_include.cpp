@@ -1,0 +1,148 @@
+#include <fmt/format.h>
+
+#include "cli/commands.h"
+#include "cli/inputs.h"
+#include "cli/judge.h"
+#include "cli/streams.h"
+#include "core/figures.h"
+#include "core/files.h"
+#include "core/parallel.h"
+#include "estimate/estimate_cost.h"
+#include "export/formats.h"
+#include "export/include.h"
+#include "film/film_files.h"
+#include "settings/settings.h"
+
+// A scene as an include for POV-Ray: export to an .inc.
+
+namespace frond {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const Watch kQuiet{[](auto, auto) {}, [] {}};
+
+/// The files of povinc.
+Result<MacroFiles> read_macros() {
+  Result<fs::path> root = home();
+  if (!root) return root.errors();
+  MacroFiles macros;
+  for (const fs::path& file : files_in(*root / "povinc")) {
+    if (file.extension() != ".inc") continue;
+    Result<std::string> text = read_file(file);
+    if (!text) return text.errors();
+    macros.emplace_back(file.filename().string(), std::move(*text));
+  }
+  return macros;
+}
+
+/// Grows the models of what is sown.
+Errors grow_models(IncludeVariant& variant) {
+  std::vector<ModelFile> files = variant.plans.front().files;  // by stand, model and level
+  variant.models.resize(files.size());
+  std::vector<Errors> errors(files.size());
+  parallel_for(files.size(), [&](std::size_t i) {
+    auto same = [&](std::size_t k) {
+      return files[k].stand == files[i].stand && files[k].model == files[i].model;
+    };
+    if (i > 0 && same(i - 1)) return;
+    const SownStand& stand = variant.scene.stands[files[i].stand];
+    Result<Model> model = grow_copy(stand.organism, files[i].model);
+    if (!model) errors[i] = model.errors();
+    for (std::size_t k = i; model && k < files.size() && same(k); ++k) {
+      ModelText text = model_texts({files[k]}, stand, *model, {})[0];
+      files[k].parts = text.parts;
+      variant.models[k] = text.title + text.body;
+    }
+  });
+  for (const Errors& list : errors)
+    if (!list.empty()) return list;
+  for (CopyPlan& plan : variant.plans) plan.files = files;
+  return {};
+}
+
+/// The preset's scene by the n-th seed, with all that an include needs of it beside the include.
+Result<IncludeVariant> grow_variant(const Preset& preset, const fs::path& out) {
+  Preset bare = preset;
+  // What is sown follows the land; all else stands on flat ground.
+  auto sown = [](const Organism& organism) { return organism.sown.has_value(); };
+  if (std::ranges::none_of(preset.organisms, sown)) bare.stage.setting = row_of("studio");
+  Result<Scene> scene = build_scene(bare);
+  if (!scene) return scene.errors();
+  IncludeVariant variant = include_variant(std::move(*scene));
+  if (Errors errors = grow_models(variant); !errors.empty()) return errors;
+  fs::path folder = out.has_parent_path() ? out.parent_path() : fs::path(".");
+  if (Errors errors = write_drawings(variant.scene, folder, kQuiet); !errors.empty()) return errors;
+  return variant;
+}
+
+/// Options of meshes and volumes, of which an include holds none: POV-Ray has the curves themselves.
+Errors unfit_for_include(const ExportArguments& to) {
+  const ExportArguments usual;
+  for (auto [given, name] :
+       {std::pair(to.keys != usual.keys, "--keys"), std::pair(to.levels != usual.levels, "--lods"),
+        std::pair(to.voxel != usual.voxel, "--voxel"), std::pair(to.instances, "--instances")})
+    if (given) return {{name, "is nothing that an .inc has; expected a .glb or .vdb, or none of it"}};
+  if (std::ranges::any_of(fs::path(to.out).filename().string(),
+                          [](char c) { return static_cast<unsigned char>(c) > 126; }))
+    return {{to.out,
+             "POV-Ray opens no include whose name has other letters than those of English; expected "
+             "such a name, as in oak.inc"}};
+  return {};
+}
+
+}  // namespace
+
+int export_include(const ExportArguments& arguments) {
+  fs::path out = arguments.out;
+  if (Errors errors = unfit_for_include(arguments); !errors.empty()) return fail(errors, kWrongInput);
+  if (Errors errors = refuse_file(out); !errors.empty()) return fail(errors, kCouldNot);
+  Result<Preset> preset = load_preset(arguments.preset);
+  if (!preset) return fail(preset.errors(), kWrongInput);
+  if (!arguments.quiet) tell_notes(preset->notes);
+  const Film& film = preset->film;
+  int last = arguments.frame == 0 ? film.frames : arguments.frame;
+  Result<FrameRange> range = read_frames(arguments.frames, film.frames, {last, last});
+  if (!range) return fail(range.errors(), kWrongInput);
+  if (range->last > film.frames)
+    return fail(
+        {Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", last, film.frames)}},
+        kWrongInput);
+  Result<CostEstimate> estimate = estimate_cost(*preset, {range->first, range->last});
+  Errors refused = estimate ? refuse(*estimate, this_machine(".")) : estimate.errors();
+  if (!refused.empty()) return fail(refused, kWrongInput);
+  Result<MacroFiles> macros = read_macros();
+  if (!macros) return fail(macros.errors(), kCouldNot);
+
+  IncludeText text{include_name(out.stem().string()),
+                   out.filename().string(),
+                   preset->title,
+                   arguments.preset.path,
+                   std::move(*macros),
+                   {}};
+  for (int frame = range->first; frame <= range->last; ++frame) text.frames.push_back(frame);
+  std::vector<IncludeVariant> variants;
+  for (int i = 0; i < arguments.seeds; ++i) {
+    now_doing("growing what stands in the scene");
+    preset->seed += i > 0 ? 1 : 0;
+    Result<IncludeVariant> variant = grow_variant(*preset, out);
+    if (!variant) return fail(variant.errors(), kCouldNot);
+    variants.push_back(std::move(*variant));
+  }
+  now_doing("writing the include");
+  Result<std::string> written = include_text(text, variants);
+  if (!written) {
+    Errors errors = written.errors();
+    bool early = errors.front().what.starts_with(kNothingYet);
+    if (errors.front().where.empty()) errors.front().where = arguments.out;
+    return fail(errors, early ? kNothingGrown : kWrongInput);
+  }
+  if (Result<bool> done = write_file(out, *written); !done) return fail(done.errors(), kCouldNot);
+  if (!arguments.quiet)
+    tell(fmt::format("{}: {}; in a scene: #include \"{}\", then object {{ {}(0, 0) }}", arguments.out,
+                     bytes_text(static_cast<double>(written->size())), text.file, text.name));
+  return kDone;
+}
+
+}  // namespace frond

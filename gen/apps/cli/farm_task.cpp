@@ -1,0 +1,362 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <map>
+#include <memory>
+
+#include "cli/bar.h"
+#include "cli/commands.h"
+#include "cli/farm_folder.h"
+#include "cli/inputs.h"
+#include "cli/messages.h"
+#include "core/files.h"
+#include "core/frame_name.h"
+#include "core/parallel.h"
+#include "core/printable.h"
+#include "core/text.h"
+#include "jobs/jobs.h"
+#include "render/bands.h"
+#include "render/local_folder.h"
+#include "render/place.h"
+#include "render/process.h"
+
+// One task of a film on a farm: task. Frame n is a pure function of the preset, so a task generates what it
+// renders, on a disk of its own machine. What is finished is skipped, and a picture comes into the shared
+// folder whole or not at all.
+
+namespace frond {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string host() {
+  char name[256] = {};
+  ::gethostname(name, sizeof name - 1);
+  return name;
+}
+
+/// Copies a file to its place, whole or not at all; a shared disk may be away for a while.
+Errors deliver(const fs::path& file, const fs::path& place) {
+  Result<std::string> bytes = read_file(file);
+  if (!bytes) return bytes.errors();
+  fs::path part =
+      place.parent_path() / fmt::format(".{}.{}.{}.part", place.filename().string(), host(), ::getpid());
+  for (unsigned wait : {1u, 2u, 4u, 8u, 16u, 0u}) {
+    Errors errors = put_text(part, place, *bytes);
+    if (errors.empty() || wait == 0 || errors[0].what.ends_with("no room on the disk")) return errors;
+    ::sleep(wait);
+  }
+  return {};
+}
+
+/// Notes in the shared folder what was said of what failed; an empty text removes the note.
+void note_failure(const fs::path& folder, const std::string& name, const std::string& text) {
+  fs::path note = folder / "failed" / name;
+  std::error_code error;
+  if (text.empty())
+    fs::remove(note, error);
+  else
+    (void)write_file(note, text);
+}
+
+/// A picture that a task is to render.
+struct Wanted {
+  std::string scene, name;         ///< "frame_0001"
+  std::vector<std::string> flags;  ///< of POV-Ray, beside those of the film
+};
+
+class FarmTask {
+ public:
+  FarmTask(fs::path folder, int cpus)
+      : folder_(std::move(folder)),
+        manifest_(manifest_in(folder_)),
+        pictures_(folder_ / (manifest_ ? manifest_->drawn_folder() : "frames")),
+        cpus_(cpus > 0 ? cpus : thread_count()),
+        host_(host()) {}
+
+  int frames(int first, int last, int chunk, int task);
+  int band(int bands, int band);
+  int film();
+
+ private:
+  fs::path picture(const std::string& name) const { return pictures_ / (name + ".png"); }
+  int fail_here(const std::string& what) const { return fail_run({{"", what}}, kCouldNot); }
+  int generate(const std::vector<std::string>& options, int err);
+  int prepare(const std::string& name, std::vector<std::string> options);
+  void bring_models();
+  std::size_t render(const std::vector<Wanted>& all);
+  Command frame(const Wanted& wanted, int threads, const Words& said) const;
+  bool finished(const Wanted& wanted, int code, const std::string& said);
+  int join(int bands, std::array<int, 2> size);
+
+  fs::path folder_;
+  Result<Manifest> manifest_;
+  fs::path pictures_;  // where those of POV-Ray are brought to
+  int cpus_;
+  std::string host_, size_, flags_;
+  StopSignals stop_;
+  LocalFolder local_;
+  bool stopped_ = false;
+};
+
+/// Calls `frond generate` as the film was asked for.
+int FarmTask::generate(const std::vector<std::string>& options, int err) {
+  Result<FarmCall> call = read_farm_call(folder_);
+  if (!call) return fail_run(call.errors(), kCouldNot);
+  Command command = generate_command(folder_, *call, local_.path(), options);
+  command.err = err;
+  Result<pid_t> process = start(command);
+  if (!process) return fail_run(process.errors(), kCouldNot);
+  std::optional<int> code = stop_.wait_for(*process);
+  if (code) return *code;
+  ::kill(*process, SIGTERM);
+  wait_for(*process);
+  return kStopped;
+}
+
+/// Generates in the task's own folder.
+int FarmTask::prepare(const std::string& name, std::vector<std::string> options) {
+  if (local_.path().empty())
+    return fail_here(fmt::format("{}: no folder can be made there on {}", local_.near().string(), host_));
+  std::error_code error;
+  fs::create_directories(local_.path() / "frames", error);
+  for (const fs::path& file : files_in(folder_ / "models"))
+    if (!file.filename().string().starts_with('.'))
+      fs::copy_file(file, local_.path() / "frames" / file.filename(), error);
+  Words said;
+  options.push_back(fmt::format("--threads={}", cpus_));
+  int code = generate(options, said.descriptor());
+  for (const std::string& line : lines_of(said.text())) say(line);
+  if (code != kDone) {
+    if (code != kStopped) note_failure(folder_, name, said.text());
+    return code;
+  }
+  note_failure(folder_, name, "");
+  bring_models();
+  Result<std::string> ninja = read_file(local_.path() / "build.ninja");
+  if (!ninja) return fail_run(ninja.errors(), kCouldNot);
+  size_ = ninja_variable(*ninja, "size");
+  flags_ = ninja_variable(*ninja, "flags");
+  return kDone;
+}
+
+/// Files beside frames bear the name of what is in them: what one task has grown serves all, and only one
+/// brings it.
+void FarmTask::bring_models() {
+  for (const fs::path& file : files_in(local_.path() / "frames")) {
+    std::string name = file.filename();
+    std::error_code error;
+    fs::path place = folder_ / "models" / name, claim = folder_ / "models" / ("." + name + ".claim");
+    if (name.starts_with("frame_") || fs::exists(place, error)) continue;
+    std::FILE* claimed = std::fopen(claim.c_str(), "wxe");
+    if (!claimed) continue;
+    std::fclose(claimed);
+    if (Errors errors = deliver(file, place); !errors.empty()) fail_run(errors, kCouldNot);
+  }
+}
+
+Command FarmTask::frame(const Wanted& wanted, int threads, const Words& said) const {
+  Command command;
+  command.words = {own_program().string(),           "frame", "frames/" + wanted.scene + ".pov",
+                   "frames/" + wanted.name + ".png", size_,   "--"};
+  std::vector<std::string> flags = split(flags_, ' ');
+  command.words.insert(command.words.end(), flags.begin(), flags.end());
+  command.words.insert(command.words.end(), wanted.flags.begin(), wanted.flags.end());
+  command.environment = {fmt::format("FROND_THREADS={}", threads)};
+  command.folder = local_.path();
+  command.err = said.descriptor();
+  command.end_with = SIGTERM;
+  return command;
+}
+
+/// Brings a picture into the shared folder. What is said of one that fails is kept there, too.
+bool FarmTask::finished(const Wanted& wanted, int code, const std::string& said) {
+  for (const std::string& line : lines_of(said)) say(line);
+  if (code != kDone) {
+    note_failure(folder_, wanted.name, said);
+    return false;
+  }
+  fs::path made = local_.path() / "frames" / (wanted.name + ".png");
+  if (Errors errors = deliver(made, picture(wanted.name)); !errors.empty()) {
+    fail_run(errors, kCouldNot);
+    return false;
+  }
+  std::error_code error;
+  fs::remove(made, error);
+  note_failure(folder_, wanted.name, "");
+  say(fmt::format("{}.png is done, on {}", wanted.name, host_));
+  return true;
+}
+
+/// Renders pictures, as many at once as there are processors; how many could not be.
+std::size_t FarmTask::render(const std::vector<Wanted>& all) {
+  struct Running {
+    const Wanted* wanted = nullptr;
+    std::unique_ptr<Words> said;
+  };
+  std::map<pid_t, Running> running;
+  int threads = std::max(1, cpus_ / static_cast<int>(all.size()));
+  std::size_t failed = 0, next = 0;
+  while (!stopped_ && (next < all.size() || !running.empty())) {
+    if (next < all.size() && static_cast<int>(running.size()) < cpus_) {
+      auto said = std::make_unique<Words>();
+      Result<pid_t> process = start(frame(all[next], threads, *said));
+      if (process)
+        running[*process] = {&all[next], std::move(said)};
+      else
+        fail_run(process.errors(), kCouldNot), ++failed;
+      ++next;
+      continue;
+    }
+    std::optional<StopSignals::Ended> ended = stop_.wait_for_any();
+    stopped_ = !ended;
+    auto at = ended ? running.find(ended->process) : running.end();
+    if (at == running.end()) continue;
+    if (!finished(*at->second.wanted, ended->code, at->second.said->text())) ++failed;
+    running.erase(at);
+  }
+  for (const auto& [process, frame] : running) ::kill(process, SIGTERM);
+  for (const auto& [process, frame] : running) wait_for(process);
+  return failed;
+}
+
+int FarmTask::frames(int first, int last, int chunk, int task) {
+  int from = first + (task - 1) * chunk, to = std::min(from + chunk - 1, last);
+  std::vector<Wanted> missing;
+  std::vector<int> numbers;
+  for (int number = from; number <= to; ++number) {
+    if (whole_picture(picture(frame_name(number)))) continue;
+    missing.push_back({frame_name(number), frame_name(number), {}});
+    numbers.push_back(number);
+  }
+  if (missing.empty()) {
+    say(fmt::format("Frames {} to {} are done already", from, to));
+    return kDone;
+  }
+  int code = prepare(fmt::format("frames_{}-{}", from, to),
+                     {"--alone", fmt::format("--frames={}-{}", numbers.front(), numbers.back())});
+  if (code != kDone) return code;
+  std::size_t failed = render(missing);
+  if (stopped_) return kStopped;
+  if (failed == 0) return kDone;
+  return fail_here(fmt::format("{} of {} frames could not be rendered on {}", failed, missing.size(), host_));
+}
+
+int FarmTask::band(int bands, int band) {
+  std::string name = fmt::format("band_{}_of_{}", band, bands);
+  if (whole_picture(picture(name))) {
+    say(fmt::format("Band {} is done already", band));
+    return kDone;
+  }
+  if (int code = prepare(name, {}); code != kDone) return code;
+  BandRows rows = band_rows(bands, band, size_of(size_)[1]);
+  std::size_t failed =
+      render({{frame_name(1), name, {fmt::format("+SR{}", rows.top + 1), fmt::format("+ER{}", rows.below)}}});
+  if (stopped_) return kStopped;
+  return failed ? fail_here(fmt::format("band {} could not be rendered on {}", band, host_)) : int{kDone};
+}
+
+/// Joins the bands of a still. Those that are damaged go, so that they are rendered again.
+int FarmTask::join(int bands, std::array<int, 2> size) {
+  std::vector<std::string> pngs;
+  bool damaged = false;
+  std::error_code error;
+  for (int band = 1; band <= bands; ++band) {
+    fs::path file = picture(fmt::format("band_{}_of_{}", band, bands));
+    if (!fs::exists(file, error))
+      return fail_here(
+          fmt::format("band {} of {} is missing; the same call of farm.sh renders it", band, bands));
+    Result<std::string> png = whole_picture(file, size);
+    if (png) {
+      pngs.push_back(std::move(*png));
+      continue;
+    }
+    say(fmt::format("frames/{} is damaged; the same call of farm.sh makes it again",
+                    file.filename().string()));
+    fs::remove(file, error);
+    damaged = true;
+  }
+  if (damaged) return fail_here("the bands could not be joined");
+  Result<std::string> whole = join_bands(pngs);
+  if (!whole) return fail_here("the bands could not be joined: " + whole.errors()[0].what);
+  fs::path still = picture(frame_name(1));
+  Errors errors = put_text(part_of(still), still, *whole);
+  return errors.empty() ? int{kDone} : fail_run(errors, kCouldNot);
+}
+
+int FarmTask::film() {
+  if (!manifest_) return fail_run(manifest_.errors(), kCouldNot);
+  const Manifest& manifest = *manifest_;
+  std::vector<std::string> results{film_file(film_format(manifest.transparent)), "contact.png"};
+  std::error_code error;
+  if (manifest.still) {
+    results = {"still.png"};
+    Result<std::string> bands = read_file(folder_ / "bands");
+    int count = 0;
+    if (bands) std::from_chars(bands->data(), bands->data() + bands->size(), count);
+    if (count > 0 && !fs::exists(picture(frame_name(1)), error))
+      if (int code = join(count, manifest.size); code != kDone) return code;
+  }
+  std::vector<int> lost;
+  auto [first, last] = manifest.drawn();
+  for (int frame = first; frame <= last; ++frame)
+    if (!whole_picture(picture(frame_name(frame)))) lost.push_back(frame);
+  if (!lost.empty())
+    return fail_here(
+        fmt::format("frames {} are missing; the same call of farm.sh renders them", fmt::join(lost, " ")));
+  Command command;
+  command.words = {"ninja"};
+  command.environment = {"NINJA_STATUS=", "FROND_HOME=" + (folder_ / "tool").string()};
+  command.folder = folder_;
+  command.out = 2;
+  command.end_with = SIGTERM;
+  Result<pid_t> process = start(command);
+  std::optional<int> code = process ? stop_.wait_for(*process) : 1;
+  if (!code) return kStopped;
+  if (*code != 0) return fail_here(folder_.string() + ": the film could not be made; its frames are kept");
+  for (const std::string& result : results)
+    if (Errors errors = deliver(folder_ / result, folder_.parent_path().parent_path() / result);
+        !errors.empty())
+      return fail_run(errors, kCouldNot);
+  for (const char* inside : {"frames", "models"})
+    for (const fs::path& file : files_in(folder_ / inside))
+      if (file.filename().string().starts_with('.') &&
+          (file.extension() == ".part" || file.extension() == ".claim"))
+        fs::remove(file, error);
+  say(fmt::format("{}: done, on {}", fmt::join(results, " "), host_));
+  return kDone;
+}
+
+/// Whole numbers from 1 on; empty where one of the words is none.
+std::vector<int> numbers_of(const std::vector<std::string>& words) {
+  std::vector<int> numbers;
+  for (const std::string& word : words) {
+    int number = counting_number(word);
+    if (number == 0) return {};
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+}  // namespace
+
+int farm_task(const TaskArguments& arguments) {
+  std::error_code error;
+  FarmTask task(fs::absolute(arguments.folder, error), arguments.cpus);
+  if (arguments.work == "film") return task.film();
+  std::vector<std::string> words = arguments.words;
+  std::size_t wanted = arguments.work == "frames" ? 4 : 2;  // the last is the task
+  if (words.size() + 1 == wanted) words.push_back(environment_or("SLURM_ARRAY_TASK_ID", ""));
+  std::vector<int> numbers = numbers_of(words);
+  if (numbers.size() == wanted && arguments.work == "frames")
+    return task.frames(numbers[0], numbers[1], numbers[2], numbers[3]);
+  if (numbers.size() == wanted && arguments.work == "bands") return task.band(numbers[0], numbers[1]);
+  return fail_run({{"", "expected frames FIRST LAST CHUNK [TASK], bands N [TASK] or film"}}, kWrongInput);
+}
+
+}  // namespace frond

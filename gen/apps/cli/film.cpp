@@ -1,0 +1,50 @@
+#include "render/film.h"
+
+#include <charconv>
+
+#include "cli/commands.h"
+#include "cli/messages.h"
+#include "core/files.h"
+#include "render/process.h"
+
+// Films and sheets of finished pictures: film.
+
+namespace frond {
+
+namespace {
+
+bool is_number_above_zero(const std::string& text) {
+  double number = 0;
+  auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && end == text.data() + text.size() && number > 0;
+}
+
+Errors make(const FilmArguments& arguments, std::vector<std::filesystem::path> pictures) {
+  std::string ffmpeg = environment_or("FROND_FFMPEG", "ffmpeg");
+  std::filesystem::path file = arguments.file;
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error))
+    return {{"", arguments.file + " is a folder; expected a file, or none"}};
+  if (arguments.columns > 0)
+    return tile_sheet({std::move(pictures), file, arguments.columns, arguments.width, ffmpeg});
+  if (file.extension() == ".png") return copy_picture(pictures[0], file, arguments.dpi);
+  return encode_film({std::move(pictures), file, arguments.fps, arguments.title, arguments.comment, ffmpeg,
+                      arguments.alpha});
+}
+
+}  // namespace
+
+int film(const FilmArguments& arguments) {
+  Result<std::string> list = read_file(arguments.list);
+  if (!list) return fail_run(list.errors(), kCouldNot);
+  std::vector<std::filesystem::path> pictures;
+  for (std::string& line : lines_of(*list)) pictures.emplace_back(std::move(line));
+  if (pictures.empty())
+    return fail_run({{arguments.list, "names no picture; expected one a line"}}, kWrongInput);
+  if (!is_number_above_zero(arguments.fps))
+    return fail_run({{"--fps", "\"" + arguments.fps + "\" is no number above 0"}}, kWrongInput);
+  Errors errors = make(arguments, std::move(pictures));
+  return errors.empty() ? kDone : fail_run(errors, kCouldNot);
+}
+
+}  // namespace frond

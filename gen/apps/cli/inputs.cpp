@@ -1,0 +1,253 @@
+#include "cli/inputs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <string_view>
+
+#include "cli/picture_options.h"
+#include "cli/streams.h"
+#include "core/files.h"
+#include "core/home.h"
+#include "core/text.h"
+#include "film/film_files.h"
+#include "grammar/kind.h"
+#include "preset/json.h"
+#include "preset/range_text.h"
+#include "resolve/resolve.h"
+#include "scene/describe.h"
+
+namespace frond {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Reads a positive whole number off the front of a text; 0 where there is none.
+int read_number(std::string_view& text) {
+  int number = 0;
+  auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || number < 0) return 0;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return number;
+}
+
+/// What sets the size of a film to so many times what it is.
+Result<std::string> scaled_size(const Film& film, double scale) {
+  constexpr double kMost = 16;
+  constexpr long kLargest = 16384;
+  if (!(scale >= 1 && scale <= kMost))
+    return Error{"--scale",
+                 fmt::format("{} is no such factor; expected a number from 1 to {}", scale, kMost)};
+  long width = std::lround(film.size[0] * scale), height = std::lround(film.size[1] * scale);
+  if (std::max(width, height) > kLargest)
+    return Error{"--scale", fmt::format("pictures of {}x{} would be {}x{} pixels; expected {} at most",
+                                        film.size[0], film.size[1], width, height, kLargest)};
+  return fmt::format("/film/size=[{},{}]", width, height);
+}
+
+/// Whether a text is the JSON of a grammar.
+bool is_grammar_text(const std::string& text) {
+  Result<Document> document = parse_json(text, "");
+  return document && document->root.find("axiom") && !document->root.find("organisms");
+}
+
+/// The value of `--fps` or `--seconds`, as what sets it; of seconds the number of frames, at a film's rate.
+Result<std::string> asked_pace(const char* option, double asked, const char* pointer, double frames) {
+  if (!(asked > 0) || !std::isfinite(asked))
+    return Error{option, fmt::format("found {}; expected a number above 0", asked)};
+  if (!(frames <= 1e6))
+    return Error{option, fmt::format("{} would be {:.0f} frames; expected 1000000 at most", asked, frames)};
+  return fmt::format("{}={}", pointer, frames);
+}
+
+/// The folder of `--assets`; empty: any file is read.
+Result<std::optional<fs::path>> assets_folder(const std::optional<std::string>& named) {
+  if (!named) return std::optional<fs::path>{};
+  std::error_code error;
+  if (!fs::is_directory(*named, error))
+    return Error{"--assets", fmt::format("\"{}\" is no folder; expected one that may be read", *named)};
+  return std::optional<fs::path>(*named);
+}
+
+/// The size that `--size` asks for, as what sets it.
+Result<std::string> asked_size(const std::string& asked) {
+  std::string_view rest = asked;
+  int width = read_number(rest);
+  bool cross = !rest.empty() && rest.front() == 'x';
+  if (cross) rest.remove_prefix(1);
+  int height = read_number(rest);
+  if (!cross || width == 0 || height == 0 || !rest.empty())
+    return Error{"--size", fmt::format("\"{}\" is no size; expected WIDTHxHEIGHT, as in 640x360", asked)};
+  if (!kSides.holds(width) || !kSides.holds(height))
+    return Error{"--size", fmt::format("found {}; expected sides{}", asked, range_text(kSides))};
+  return fmt::format("/film/size=[{},{}]", width, height);
+}
+
+Result<std::string> asked_quality(const std::string& asked) {
+  std::vector<std::string_view> names;
+  for (const auto& row : kQualities) names.push_back(row.name);
+  if (std::ranges::find(names, asked) != names.end()) return "/film/quality=" + asked;
+  return Error{"--quality", "found " + found_text(make_text(asked)) + expected_names(asked, names)};
+}
+
+}  // namespace
+
+Result<fs::path> home() {
+  fs::path path = home_folder();
+  std::error_code error;
+  if (fs::exists(path / "templates" / "frame.pov", error)) return path;
+  return Error{path.string(), "holds no templates/frame.pov; set FROND_HOME to the folder of Frond"};
+}
+
+std::filesystem::path cache_folder() {
+  const char* cache = std::getenv("XDG_CACHE_HOME");
+  const char* user = std::getenv("HOME");
+  if (cache && *cache) return std::filesystem::path(cache) / "frond";
+  return std::filesystem::path(user ? user : "/") / ".cache" / "frond";
+}
+
+std::string render_command() {
+  Result<fs::path> root = home();
+  std::error_code error;
+  if (!root || !fs::exists(*root / "scripts" / "render.sh", error)) return {};
+  bool here = fs::equivalent(*root, fs::current_path(error), error);
+  return here ? "scripts/render.sh" : (fs::absolute(*root, error) / "scripts" / "render.sh").string();
+}
+
+std::string nearest_presets(const std::string& path) {
+  Result<fs::path> root = home();
+  if (!root) return {};
+  std::vector<fs::path> files;
+  for (const fs::path& file : files_below(*root / "presets"))
+    if (file.extension() == ".json") files.push_back(file);
+  std::vector<std::string> stems;
+  for (const fs::path& file : files) stems.push_back(file.stem().string());
+  std::string near(nearest_name(fs::path(path).stem().string(), stems)), found;
+  for (std::size_t i = 0; i < files.size(); ++i)
+    if (stems[i] == near && !is_grammar(files[i].string()))
+      found += fmt::format("{}\"{}\"", found.empty() ? "" : " or ", fs::proximate(files[i]).string());
+  return found.empty() ? "" : fmt::format("; did you mean {}?", found);
+}
+
+bool is_resolved(const Film& film, const std::optional<bool>& asked) {
+  return asked.value_or(film.quality == Quality::good && !film.sampled());
+}
+
+Errors refuse_resolving(const Film& film, const std::optional<bool>& asked) {
+  if (!asked.value_or(false) || !film.sampled()) return {};
+  return {{"--resolve", fmt::format("frames are not resolved {}; expected --no-resolve, or neither",
+                                    film.crop ? "in parts" : "with a transparent background")}};
+}
+
+Result<TracedFilm> traced_film(const Scene& scene, const std::filesystem::path& models) {
+  Result<CopyPlan> plan = write_models(scene, models, {[](auto, auto) {}, [] {}});
+  if (!plan) return plan.errors();
+  return TracedFilm::of(scene, std::move(*plan));
+}
+
+Result<Assets> assets_of(const std::string& path, const std::optional<std::string>& named) {
+  Result<std::optional<fs::path>> only = assets_folder(named);
+  if (!only) return only.errors();
+  return Assets(path, *only);
+}
+
+Result<Preset> load_preset(const PresetArguments& arguments) {
+  now_doing("reading the preset");
+  Result<std::string> text = read_file(arguments.path);
+  if (!text) {
+    Error error = text.errors().front();
+    std::error_code unknown;
+    if (!fs::exists(arguments.path, unknown)) error.what += nearest_presets(arguments.path);
+    return error;
+  }
+  Result<std::optional<fs::path>> only = assets_folder(arguments.assets);
+  if (!only) return only.errors();
+  std::vector<std::string> sets = arguments.sets;
+  if (arguments.transparent) sets.emplace_back("/film/background=transparent");
+  for (const auto& [asked, read] :
+       {std::pair(arguments.size, &asked_size), std::pair(arguments.quality, &asked_quality)}) {
+    Result<std::string> set = asked ? read(*asked) : std::string();
+    if (!set) return set.errors();
+    if (asked) sets.push_back(*set);
+  }
+  if (arguments.fps) {
+    Result<std::string> set = asked_pace("--fps", *arguments.fps, "/film/fps", *arguments.fps);
+    if (!set) return set.errors();
+    sets.push_back(*set);
+  }
+  Result<Preset> preset = read_preset(*text, arguments.path, sets, *only);
+  if (!preset && is_grammar_text(*text))
+    return Error{arguments.path, fmt::format("is a grammar, no preset; `frond turtle {0} --svg` draws it, "
+                                             "`frond derive {0}` derives it, and the kind plant grows by it",
+                                             arguments.path)};
+  if (preset && arguments.seconds) {
+    double frames = std::max(1.0, std::round(*arguments.seconds * preset->film.fps));
+    Result<std::string> set = asked_pace("--seconds", *arguments.seconds, "/film/frames", frames);
+    if (!set) return set.errors();
+    sets.push_back(*set);
+    preset = read_preset(*text, arguments.path, sets, *only);
+  }
+  if (preset && (arguments.scale || arguments.print)) {
+    Result<std::string> size =
+        arguments.print ? printed_size(arguments, preset->film) : scaled_size(preset->film, *arguments.scale);
+    if (!size) return size.errors();
+    sets.push_back(*size);
+    preset = read_preset(*text, arguments.path, sets, *only);
+  }
+  if (!preset) return preset;
+  if (Errors errors = set_pictures(arguments, preset->film); !errors.empty()) return errors;
+  return preset;
+}
+
+bool is_grammar(const std::string& path) {
+  Result<std::string> text = read_file(path);
+  if (!text ? !path.ends_with(".json") : grammar_kind(path, *text) != GrammarKind::preset) return true;
+  return text && is_grammar_text(*text);
+}
+
+Result<Manifest> manifest_in(const fs::path& folder) {
+  fs::path file = folder / "manifest.json";
+  Result<std::string> text = read_file(file);
+  return text ? read_manifest(*text, file.string()) : text.errors();
+}
+
+Result<FrameRange> read_frames(const std::string& text, int count) {
+  std::string_view rest = text;
+  FrameRange range{};
+  range.first = range.last = read_number(rest);
+  if (!rest.empty() && rest.front() == '-') {
+    rest.remove_prefix(1);
+    range.last = read_number(rest);
+  }
+  bool written = rest.empty() && range.first >= 1 && range.last >= range.first;
+  if (written && range.last <= count) return range;
+  std::string there = count == 1
+                          ? "this preset is a still, which has frame 1 alone; expected 1, or a film, as "
+                            "by --seconds 4"
+                          : fmt::format("the film has frames 1-{}", count);
+  if (written) return Error{"--frames", fmt::format("found {}, but {}", text, there)};
+  return Error{"--frames",
+               fmt::format("\"{}\" is no range of frames; expected A-B, as in 1-{}, or one number; {}", text,
+                           std::max(count, 2), there)};
+}
+
+Result<FrameRange> read_frames(const std::optional<std::string>& text, int count, FrameRange usual) {
+  return text ? read_frames(*text, count) : usual;
+}
+
+Result<int> read_frame(int asked, int count) {
+  if (asked > count)
+    return Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", asked, count)};
+  return asked == 0 ? count : asked;
+}
+
+FrameRange drawn_frames(const Film& film, FrameRange wanted) {
+  int around = film.raw ? ResolveOptions{}.window : 0;
+  return {std::max(wanted.first - around, 1), std::min(wanted.last + around, film.frames)};
+}
+
+}  // namespace frond

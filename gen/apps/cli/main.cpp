@@ -1,0 +1,390 @@
+// The command line of Frond. Each command is one function in commands.h.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <new>
+#include <stdexcept>
+
+#include "cli/commands.h"
+#include "cli/inputs.h"
+#include "cli/judge.h"
+#include "cli/messages.h"
+#include "cli/named.h"
+#include "cli/rendering.h"
+#include "cli/streams.h"
+#include "cli/words.h"
+
+using namespace frond;
+
+namespace {
+
+// Each command below owns its arguments, which live as long as its callback does.
+
+void add_generate(CLI::App& app, int& result) {
+  auto to = std::make_shared<GenerateArguments>();
+  auto* command =
+      app.add_subcommand("generate", "Writes the frames of a film, manifest.json and build.ninja");
+  add_preset(command, to->preset);
+  add_pictures(command, to->preset);
+  command->add_option("-o,--out", to->out, "Folder to write to (out/<preset name>)");
+  command->add_option("--frames", to->frames, "A-B: only these frames");
+  add_resolving(command, to->resolve);
+  command->add_flag("--alone", to->alone, "None of the frames around, with which others are resolved");
+  command->add_flag("--film-only", to->film_only,
+                    "No frames: only build.ninja, which makes a film of pictures rendered elsewhere");
+  command->add_option("--threads", to->threads, "How many threads (all)")->check(CLI::Range(0, 1024));
+  command->add_flag("-q,--quiet", to->quiet, "No progress");
+  command->footer("Example:\n  frond generate presets/reef.json -o out/reef --frames 1-24 --set /seed=8");
+  command->callback([&result, to] { result = generate(*to); });
+}
+
+void add_textures(CLI::App& app, int& result) {
+  auto to = std::make_shared<TextureArguments>();
+  auto* command =
+      app.add_subcommand("textures", "Writes bark and leaves of a preset's trees as PNG pictures");
+  add_preset(command, to->preset);
+  command->get_option("preset")->required(false)->description("The preset; without it, every kind there is");
+  command->add_option("-o,--out", to->out, "Folder to write to (out/textures)");
+  command->add_option("--threads", to->threads, "How many threads (all)")->check(CLI::Range(0, 1024));
+  command->add_flag("-q,--quiet", to->quiet, "Does not list the files");
+  command->footer("Example:\n  frond textures presets/aspen.json -o out/textures");
+  command->callback([&result, to] { result = write_textures(*to); });
+}
+
+void add_resolve(CLI::App& app, int& result) {
+  auto to = std::make_shared<ResolveArguments>();
+  auto* command = app.add_subcommand(
+      "resolve", "Makes the frames of a film of raw ones, which `frond generate --resolve` has rendered");
+  add_preset(command, to->preset);
+  add_pictures(command, to->preset);
+  command->add_option("--film", to->folder,
+                      "Folder of the film, with its raw frames in raw/ (out/<preset name>)");
+  command->add_option("-o,--out", to->out, "Folder to write to (frames/ in that)");
+  command->add_option("--frames", to->frames, "A-B: only these frames");
+  command->add_option("--threads", to->threads, "How many threads (all)")->check(CLI::Range(0, 1024));
+  command->add_option("--window", to->window, "Raw frames before and after one that it is made of (4)")
+      ->check(CLI::Range(0, 12));
+  command->add_option("--side", to->side, "N: N * N rays are traced through a pixel (5; 6 of a still)")
+      ->check(CLI::Range(1, 16));
+  command->add_option("--reach", to->reach, "Pixels within which samples count (0.4)")
+      ->check(CLI::Range(0.1, 3.0));
+  command
+      ->add_option("--fade", to->fade,
+                   "Frames within which samples count (4; 0.1 s where waves move the light)")
+      ->check(CLI::Range(0.1, 100.0));
+  command
+      ->add_option("--clip", to->clip,
+                   "Deviations by which the light of other frames may differ; 0: any (0; 2 where waves move "
+                   "the light)")
+      ->check(CLI::Range(0.0, 100.0));
+  command->add_flag("-q,--quiet", to->quiet, "No words where all goes well");
+  command->footer("Example:\n  frond resolve presets/reef.json --film out/reef --frames 1-24");
+  command->callback([&result, to] { result = resolve(*to); });
+}
+
+void add_passes(CLI::App& app, int& result) {
+  auto to = std::make_shared<PassesArguments>();
+  auto* command = app.add_subcommand(
+      "passes", "Depth, normals, places, motion, sunlight and masks of all that stands there, as OpenEXR");
+  add_preset(command, to->preset);
+  add_size(command, to->preset);
+  command->add_option("-o,--out", to->out, "Folder to write to (out/<preset name>/passes)");
+  command->add_option("--frames", to->frames, "A-B: only these frames (the last)");
+  command->add_option("--side", to->side, "N: N * N rays tell the shares of a pixel (4)")
+      ->check(CLI::Range(1, 16));
+  command->add_option("--threads", to->threads, "How many threads (all)")->check(CLI::Range(0, 1024));
+  command->add_flag("--albedo", to->albedo, "Also the colours of surfaces without light, by POV-Ray");
+  command->add_flag("--views", to->views,
+                    "Also PNG pictures to look at: depth, normal, sun, parts, motion, albedo");
+  command->footer("Example:\n  frond passes presets/reef.json --frames 1-24 -o passes");
+  command->callback([&result, to] { result = passes(*to); });
+}
+
+void add_look(CLI::App& app, int& result) {
+  auto to = std::make_shared<LookArguments>();
+  auto* command = app.add_subcommand(
+      "look", "Draws at once, without a renderer, what the camera sees, and says how large all has grown");
+  add_preset(command, to->preset);
+  add_size(command, to->preset);
+  command->add_option("-o,--out", to->out, "FILE.png (<preset name>_look.png)");
+  command->add_option("--frame", to->frame, "Which frame (the last)")->check(CLI::Range(1, 1'000'000));
+  command->footer(
+      "Example:\n  frond look presets/garden/palm.json -o palm.png --set '/scene/camera/fit=[\"all\"]'");
+  command->callback([&result, to] { result = look(*to); });
+}
+
+void add_develop(CLI::App& app, int& result) {
+  auto to = std::make_shared<DevelopArguments>();
+  auto* command = app.add_subcommand(
+      "develop",
+      "Gives a picture of 16 bits a channel, or the mean light of several, the tone that its scene names");
+  command->add_option("pictures", to->pictures, "The PNG files that POV-Ray wrote, with +FN16")->required();
+  command->add_option("-o,--out", to->out, "FILE.png")->required();
+  command->add_option("--highlights", to->tone.highlights, "Stops above white that keep their shape (0)")
+      ->check(CLI::Range(0.0, 6.0));
+  command->add_option("--contrast", to->tone.contrast, "How steep the curve is at middle grey (1)")
+      ->check(CLI::Range(0.5, 2.0));
+  command->add_option("--depth", to->depth, "8 or 16 bits a channel (8)")->check(CLI::IsMember({8, 16}));
+  command->footer("Example:\n  frond develop frame_0001.png -o birch.png --highlights 2 --contrast 1.1");
+  command->callback([&result, to] { result = develop_picture(*to); });
+}
+
+void add_export(CLI::App& app, int& result) {
+  auto to = std::make_shared<ExportArguments>();
+  auto* command = app.add_subcommand(
+      "export", "Writes what grows, at one frame, for other programs or your own POV-Ray scene");
+  add_preset(command, to->preset);
+  command->add_option("--frame", to->frame, "Which frame (the last)")->check(CLI::Range(1, 1'000'000));
+  command->add_option("--frames", to->frames,
+                      "A-B: of an .inc, frames whose shapes it holds; of a .glb, an animation of them");
+  command->add_option("--keys", to->keys, "Of --frames of a .glb: through how many shapes it goes (12)")
+      ->check(CLI::Range(2, 1000));
+  command->add_option("--seeds", to->seeds, "Of an .inc: how many shapes, each of a seed of its own (1)")
+      ->check(CLI::Range(1, 100));
+  command->add_option("-o,--out", to->out, "FILE.obj, FILE.ply, FILE.glb, FILE.vdb or FILE.inc")->required();
+  command->add_option("--sides", to->sides, "Of the tubes that branches become (10)")
+      ->check(CLI::Range(3, 256));
+  command->add_option("--voxel", to->voxel, "Metres, of a .vdb (as the organisms' bodies have it)")
+      ->check(CLI::PositiveNumber);
+  command->add_option(
+      "--detail", to->detail,
+      "Triangles of one organism or model, about (250000), or as fine as it is seen so many pixels "
+      "high: 400px");
+  command
+      ->add_option(
+          "--lods", to->levels,
+          "Of a .glb: how many levels of detail, each of a quarter of the triangles of the one before (1)")
+      ->check(CLI::Range(1, 6));
+  command->add_option("--texture", to->texture, "Pixels, the width of pictures; 0: none (512)")
+      ->check(CLI::Range(0, 4096));
+  command->add_flag("--instances", to->instances, "Each organ and copy once, with its places (of a .glb)");
+  command->add_flag("-q,--quiet", to->quiet, "No words where all goes well");
+  command->footer(
+      "Examples:\n  frond export presets/reef.json --frame 48 -o reef.glb\n"
+      "  frond export presets/trees/oak.json --seeds 3 -o oak.inc");
+  command->callback([&result, to] { result = export_scene(*to); });
+}
+
+void add_check(CLI::App& app, int& result) {
+  auto paths = std::make_shared<std::vector<std::string>>();
+  auto* command = app.add_subcommand("check", "Tells what is wrong in presets");
+  auto common = std::make_shared<PresetArguments>();
+  command->add_option("presets", *paths, "JSON files, or names of Frond's presets")
+      ->required()
+      ->transform(named_by(&preset_named));
+  add_sets(command, common->sets);
+  add_assets(command, common->assets);
+  command->footer(
+      "A grammar is checked as one.\n\nExamples:\n  frond check presets/*.json\n"
+      "  frond check presets/reef.json --set /film/fps=12");
+  command->callback([&result, paths, common] { result = check(*paths, *common); });
+}
+
+void add_info(CLI::App& app, int& result) {
+  auto to = std::make_shared<InfoArguments>();
+  auto* command =
+      app.add_subcommand("info", "Estimates how large a preset's scene or a grammar's word will be");
+  add_preset(command, to->preset);
+  add_size(command, to->preset);
+  command->add_option("--frames", to->frames, "A-B: of a film only these frames");
+  command->add_flag("--json", to->json, "For machines");
+  command->add_flag("--sizes", to->sizes,
+                    "Grows it and says how high and wide each organism has become, and its stem");
+  command->add_option("--frame", to->frame, "Of --sizes: in which frame (the last)")
+      ->check(CLI::Range(1, 1'000'000));
+  command->footer(
+      "Examples:\n  frond info presets/reef.json --json\n  frond info presets/trees/oak.json --sizes\n"
+      "  frond info presets/garden/grammar_palm.json --sizes --frame 60");
+  command->callback([&result, to] { result = info(*to); });
+}
+
+void add_files(CLI::App& app, int& result) {
+  auto preset = std::make_shared<PresetArguments>();
+  auto* command =
+      app.add_subcommand("files", "Names all files that a preset is read from, each ended by a zero byte");
+  add_preset(command, *preset);
+  command->footer("Example:\n  frond files presets/ivy/any_mesh.json | xargs -0 tar cf any_mesh.tar");
+  command->callback([&result, preset] { result = list_files(*preset); });
+}
+
+void add_derive(CLI::App& app, int& result) {
+  auto to = std::make_shared<GrammarArguments>();
+  auto format = std::make_shared<std::string>("text");
+  auto* command = app.add_subcommand("derive", "Derives the word of a grammar");
+  add_grammar(command, *to)->check(CLI::TypeValidator<int>());
+  command->add_option("--format", *format, "text or counts")->check(CLI::IsMember({"text", "counts"}));
+  command->add_option("--tree", to->picture, "SVG file: which symbol came from which");
+  command->footer("Example:\n  frond derive koch.json --steps 2 --tree koch.svg");
+  command->callback([&result, to, format] {
+    to->counts = *format == "counts";
+    result = derive_word(*to);
+  });
+}
+
+void add_turtle(CLI::App& app, int& result) {
+  auto to = std::make_shared<GrammarArguments>();
+  auto* command = app.add_subcommand("turtle", "Walks a grammar's word and measures the way, as JSON");
+  add_grammar(command, *to);
+  command->add_option("--svg", to->picture, "SVG file: what the turtle draws, seen from the front");
+  command->footer(
+      "A number of steps that is not whole gives the shape on its way from one to the next.\n"
+      "Example:\n  frond turtle koch.json --steps 2.5 --svg koch.svg");
+  command->callback([&result, to] { result = walk_turtle(*to); });
+}
+
+void add_plan(CLI::App& app, int& result) {
+  auto to = std::make_shared<PlanArguments>();
+  auto* command = app.add_subcommand("plan", "Draws the plan of a preset that has one, as SVG");
+  add_preset(command, to->preset);
+  command->add_option("-o,--out", to->out, "FILE.svg (<preset name>_plan.svg)");
+  command->add_option("--seeds", to->seeds, "N: the plans of that many seeds, from the preset's on (1)")
+      ->check(CLI::Range(1, 100));
+  command->footer("Example:\n  frond plan presets/garden/walled.json --seeds 4 -o plans.svg");
+  command->callback([&result, to] { result = draw_plans(*to); });
+}
+
+void add_stand(CLI::App& app, int& result) {
+  auto to = std::make_shared<StandArguments>();
+  auto* command =
+      app.add_subcommand("stand", "Simulates the stand of a preset that has one, and plots it as SVG or CSV");
+  add_preset(command, to->preset);
+  command->add_option("-o,--out", to->out, "FILE.svg or FILE.csv (<preset name>_stand.svg)");
+  command->add_option("--year", to->year, "N: the year of the map and the distributions (the last)")
+      ->check(CLI::NonNegativeNumber);
+  command->footer("Example:\n  frond stand presets/forest/clearing.json --year 120 -o stand.svg");
+  command->callback([&result, to] { result = draw_stand(*to); });
+}
+
+void add_catalogue(CLI::App& app, int& result) {
+  auto* schema_command = app.add_subcommand("schema", "Prints the JSON Schema of presets");
+  schema_command->callback([&result] { result = print_schema(); });
+  auto json = std::make_shared<bool>(false);
+  auto* list_command = app.add_subcommand("list", "Lists growers, settings, presets and turtle symbols");
+  list_command->add_flag("--json", *json, "For machines");
+  list_command->callback([&result, json] { result = list_everything(*json); });
+}
+
+void add_describe(CLI::App& app, int& result) {
+  auto words = std::make_shared<std::vector<std::string>>();
+  auto json = std::make_shared<bool>(false);
+  auto* command =
+      app.add_subcommand("describe", "Says what a property of presets does, by its name or by a word");
+  command->add_option("what", *words,
+                      "A kind, a setting, a property as in tree/habit, or words; none: what there is");
+  command->add_flag("--json", *json, "For machines");
+  command->footer("Examples:\n  frond describe tree/habit\n  frond describe leaf size");
+  command->callback([&result, words, json] { result = describe_properties(*words, *json); });
+}
+
+void add_new(CLI::App& app, int& result) {
+  auto to = std::make_shared<NewArguments>();
+  auto* command = app.add_subcommand("new", "Writes a commented preset to begin with");
+  command->add_option("name", to->name, "The file to write; .json is added where it is missing")->required();
+  command->add_option("--from", to->from, "A kind, as tree, or a preset, as presets/trees/oak.json or oak")
+      ->required();
+  command->add_flag("-q,--quiet", to->quiet, "Does not say what comes next");
+  command->footer("Examples:\n  frond new my_tree --from tree\n  frond new my_reef --from presets/reef.json");
+  command->callback([&app, &result, to] {
+    to->program = app.get_name();
+    result = new_preset(*to);
+  });
+}
+
+void add_import(CLI::App& app, int& result) {
+  auto to = std::make_shared<ImportArguments>();
+  auto* command = app.add_subcommand("import", "Writes a preset of another program's grammar, which renders");
+  command
+      ->add_option("grammar", to->path,
+                   "A model of cpfg (.l), a grammar of LParser (.ls), Houdini (.txt) or Fractint, or a "
+                   "skeleton (.swc)")
+      ->required();
+  command->add_option("-o,--out", to->out, "FILE.json (beside the grammar, with its name)");
+  command->add_option("--steps", to->steps, "N: derivation steps (as the file says)")
+      ->check(CLI::Range(0, 1'000'000));
+  command->add_option("--seed", to->seed, "For random choices, instead of the grammar's");
+  add_mutations(command, to->mutations);
+  add_system(command, to->system);
+  command->add_flag_callback(
+      "--z-up", [to] { to->z_up = true; }, "Of a skeleton: its z is up, not its y");
+  command->footer("Example:\n  frond import plants/rose.l -o rose.json");
+  command->callback([&result, to] { result = import_model(*to); });
+}
+
+void add_studio(CLI::App& app, int& result) {
+  auto to = std::make_shared<StudioArguments>();
+  auto* command = app.add_subcommand("studio", "Serves a page in the browser: sliders, a live view, stills");
+  command->add_option("preset", to->preset, "The preset to open, a JSON file or a name; none: the gallery")
+      ->transform(named_by(&preset_named));
+  command->add_option("--port", to->port, "Of the address (8417, or any that is free)")
+      ->check(CLI::Range(1, 65535));
+  command->add_flag("--open", to->open, "Opens the page in the desktop's browser");
+  command
+      ->add_option("--memory", to->memory,
+                   "MB that scenes and what else is kept may take together (1024); growing takes more")
+      ->check(CLI::Range(16, 1 << 20));
+  add_assets(command, to->assets);
+  command->footer("Example:\n  frond studio presets/reef.json --open");
+  command->callback([&result, to] { result = studio(*to); });
+}
+
+int run(int count, char** words) {
+  CLI::App app{"Grows plants and corals from JSON presets and writes scenes that POV-Ray films."};
+  app.require_subcommand(0, 1);
+  app.set_version_flag("--version", FROND_VERSION);
+  app.footer(
+      "FROND_HOME is the folder that holds templates/, povinc/, presets/ and scripts/, where that is not the "
+      "one "
+      "above the program's own.");
+  int result = kDone;
+  for (auto add : {add_new,     add_describe, add_look,      add_render,  add_sheet,    add_generate,
+                   add_resolve, add_passes,   add_draw,      add_export,  add_textures, add_develop,
+                   add_check,   add_info,     add_files,     add_confine, add_frame,    add_film,
+                   add_compare, add_task,     add_farm,      add_gallery, add_derive,   add_turtle,
+                   add_plan,    add_stand,    add_catalogue, add_import,  add_studio})
+    add(app, result);
+  judge_options(app);
+  if (std::string wrong = unknown_command(app, count > 1 ? words[1] : ""); !wrong.empty()) {
+    tell(wrong);
+    return kWrongInput;
+  }
+  std::vector<std::string> list = words_of(count, words);
+  if (count < 2) {
+    put(first_words(count > 0 ? words[0] : "frond"));
+    return kDone;
+  }
+  try {
+    std::vector<const char*> named;
+    for (const std::string& word : list) named.push_back(word.c_str());
+    app.parse(count, named.data());
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    std::string wrong = unknown_option(app, list);
+    tell(wrong.empty() ? error.what() : wrong);
+    tell("Run with --help for more information.");
+    return kWrongInput;
+  }
+  return result;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  open_streams();
+  int result = kCouldNot;
+  // No library is believed not to throw, nor memory not to run out: here is the last place to say so.
+  try {
+    result = run(count, words);
+  } catch (const std::bad_alloc&) {
+    result = fail_for_memory();
+  } catch (const std::length_error&) {
+    result = fail_for_memory();
+  } catch (const std::exception& error) {
+    tell(fmt::format("frond: failed while {}: {}", what_is_done(), error.what()));
+  }
+  Errors lost = close_out();
+  if (lost.empty()) return result;
+  fail(lost, kCouldNot);
+  return result == kDone ? kCouldNot : result;
+}

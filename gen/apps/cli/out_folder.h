@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cli/inputs.h"
+#include "core/result.h"
+
+namespace frond {
+
+/// Says to other runs that a folder is at work in, as long as it lives: a shared lock on the folder itself.
+/// Waits while another run tidies it up. Where the file system knows no locks, nobody is ever alone.
+class FolderInUse {
+ public:
+  /// Makes the folder where it is not there.
+  explicit FolderInUse(const std::filesystem::path& folder);
+  ~FolderInUse();
+  FolderInUse(const FolderInUse&) = delete;
+  FolderInUse& operator=(const FolderInUse&) = delete;
+
+  /// Whether no other run is at work there. If so, others wait from now on.
+  bool by_us_alone();
+
+ private:
+  int file_ = -1;
+};
+
+/// What is wrong with a folder of frames that links elsewhere. Most files there are put in their place whole,
+/// which leaves alone what a link points to; but ninja and the programs that it calls write to some by their
+/// names
+/// (.ninja_log, .times, lists), and all frames go through the folder `frames`: no link may stand there.
+Errors refuse_links(const std::filesystem::path& out);
+
+/// The same of one path that is to be written to.
+Errors refuse_link(const std::filesystem::path& path);
+
+/// Removes the pictures of earlier runs that do not count as done, so that they are made again: frames of the
+/// range that are not whole or not of the size of the film, and a damaged still or contact sheet. Gives those
+/// that are damaged. An error where a folder stands in the place of a picture.
+Result<std::vector<std::filesystem::path>> remove_damaged(const std::filesystem::path& out, FrameRange range,
+                                                          const Film& film);
+
+/// Removes what no frame reads any more, pictures and models of earlier runs, and what killed runs have left
+/// half written, and exposures beyond those that make a frame. Frames stay: those of another range may be
+/// asked for again.
+void tidy(const std::filesystem::path& out, const std::set<std::string>& needed, int exposures);
+
+}  // namespace frond

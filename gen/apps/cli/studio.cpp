@@ -1,0 +1,97 @@
+#include "studio/studio.h"
+
+#include <fmt/format.h>
+#include <spawn.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+
+#include "cli/commands.h"
+#include "cli/inputs.h"
+#include "cli/streams.h"
+#include "core/files.h"
+
+extern char** environ;
+
+namespace frond {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A page that leads to an address, in a file that its owner alone can read: a program's arguments everybody
+/// can. It goes with this.
+class Doorway {
+ public:
+  explicit Doorway(const std::string& address) {
+    std::error_code error;
+    std::string name = (fs::temp_directory_path(error) / "frond-open-XXXXXX").string();
+    if (!mkdtemp(name.data())) return;
+    folder_ = name;
+    constexpr const char* kPage =
+        "<!doctype html>\n<meta charset=\"utf-8\">\n<meta name=\"referrer\" content=\"no-referrer\">\n"
+        "<title>Frond</title>\n<script>location.replace(\"{0}\")</script>\n<a href=\"{0}\">Frond</a>\n";
+    if (!write_file(page(), fmt::format(kPage, address))) folder_.clear();
+    fs::permissions(page(), fs::perms::owner_read | fs::perms::owner_write, error);
+  }
+  ~Doorway() {
+    std::error_code error;
+    if (!folder_.empty()) fs::remove_all(folder_, error);
+  }
+  Doorway(const Doorway&) = delete;
+  Doorway& operator=(const Doorway&) = delete;
+
+  bool there() const { return !folder_.empty(); }
+  fs::path page() const { return folder_ / "studio.html"; }
+
+ private:
+  fs::path folder_;
+};
+
+/// Asks the desktop to open a page; where there is none the printed address does.
+void open_in_browser(const Doorway& doorway) {
+  if (!doorway.there()) return tell("note: no file could be made to open; open the address by hand");
+  std::string program = "xdg-open", word = doorway.page().string();
+  char* words[] = {program.data(), word.data(), nullptr};
+  pid_t child = 0;
+  if (posix_spawnp(&child, program.c_str(), nullptr, nullptr, words, environ) != 0)
+    tell("note: there is no xdg-open; open the address by hand");
+}
+
+}  // namespace
+
+int studio(const StudioArguments& arguments) {
+  Result<std::filesystem::path> root = home();
+  if (!root) return fail(root.errors(), kCouldNot);
+  StudioOptions options{.home = *root,
+                        .preset = {},
+                        .port = arguments.port,
+                        .memory = {},
+                        .assets = {},
+                        .bake = {.home = *root, .cache = cache_folder() / "materials"},
+                        .ready = {}};
+  if (!arguments.preset.empty()) {
+    // A file that is not there is told here; faults in it are the page's to show.
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(arguments.preset, error))
+      return fail({Error{arguments.preset, "is no file" + nearest_presets(arguments.preset)}}, kWrongInput);
+    options.preset = arguments.preset;
+  }
+  options.memory = arguments.memory << 20;
+  if (arguments.assets) options.assets = *arguments.assets;
+  std::optional<Doorway> doorway;
+  options.ready = [&](const std::string& address) {
+    put(address + "\n");
+    flush();
+    tell("Open this address in a browser; Ctrl+C ends the studio.");
+    if (!arguments.open) return;
+    doorway.emplace(address);
+    open_in_browser(*doorway);
+  };
+  now_doing("serving the studio");
+  Errors errors = serve_studio(options);
+  return errors.empty() ? kDone : fail(errors, kCouldNot);
+}
+
+}  // namespace frond

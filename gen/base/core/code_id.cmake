@@ -1,0 +1,21 @@
+# Writes OUT, which says which sources below ROOT the program is made of:
+#   cmake -DROOT=gen -DOUT=code_id.cpp -P code_id.cmake
+# The command line itself, the job files and the reading of presets make nothing that is kept.
+file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/*.cpp ${ROOT}/*.h)
+list(FILTER files EXCLUDE REGEX "^(apps/cli|output/jobs|base/preset)/")
+list(SORT files)
+set(all "")
+foreach(file ${files})
+  file(SHA256 ${ROOT}/${file} hash)
+  string(APPEND all "${file} ${hash}\n")
+endforeach()
+string(SHA256 id "${all}")
+string(SUBSTRING ${id} 0 32 id)
+set(text "namespace frond {\nextern const char* const kCodeId;\nconst char* const kCodeId = \"${id}\";\n}\n")
+set(old "")
+if(EXISTS ${OUT})
+  file(READ ${OUT} old)
+endif()
+if(NOT old STREQUAL text)
+  file(WRITE ${OUT} "${text}")
+endif()
