@@ -73,7 +73,7 @@ def options_of(command):
 
 def commands():
     text = subprocess.run([FROND, "--help"], capture_output=True, text=True, check=True).stdout
-    return set(re.findall(r"^  ([a-z]+)  ", text.split("ubcommands:")[1], re.M))
+    return set(re.findall(r"^  ([a-z]+)  ", text, re.M))
 
 
 def result_of(command, words):

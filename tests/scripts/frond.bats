@@ -795,3 +795,13 @@ JSON
   [ -s long.mtl ]
   awk '/^map_Kd/ {print $2}' long.mtl | while read -r picture; do [ -s "$picture" ]; done
 }
+
+@test "help lists commands as people work, and none that only programs call" {
+  run "$frond" --help
+  [ "$status" -eq 0 ]
+  [[ $output == *$'\nMake:\n  new '*$'\nLook:\n  look '*$'\nRender:\n  render '*$'\nGive to other programs:\n  export '* ]]
+  for hidden in confine develop frame gallery task; do
+    [[ $output != *$'\n'"  $hidden "* ]]
+    "$frond" "$hidden" --help
+  done
+}

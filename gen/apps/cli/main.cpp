@@ -7,6 +7,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "cli/command_groups.h"
 #include "cli/commands.h"
 #include "cli/inputs.h"
 #include "cli/judge.h"
@@ -338,12 +339,13 @@ int run(int count, char** words) {
       "one "
       "above the program's own.");
   int result = kDone;
-  for (auto add : {add_new,     add_describe, add_look,      add_render,  add_sheet,    add_generate,
-                   add_resolve, add_passes,   add_draw,      add_export,  add_textures, add_develop,
-                   add_check,   add_info,     add_files,     add_confine, add_frame,    add_film,
-                   add_compare, add_task,     add_farm,      add_gallery, add_derive,   add_turtle,
-                   add_plan,    add_stand,    add_catalogue, add_import,  add_studio})
+  for (auto add : {add_new,     add_describe, add_catalogue, add_check,    add_import,  add_studio,
+                   add_look,    add_info,     add_draw,      add_plan,     add_stand,   add_derive,
+                   add_turtle,  add_render,   add_sheet,     add_generate, add_resolve, add_film,
+                   add_compare, add_export,   add_passes,    add_textures, add_farm,    add_files,
+                   add_develop, add_confine,  add_frame,     add_task,     add_gallery})
     add(app, result);
+  group_commands(app);
   judge_options(app);
   if (std::string wrong = unknown_command(app, count > 1 ? words[1] : ""); !wrong.empty()) {
     tell(wrong);
