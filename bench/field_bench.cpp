@@ -26,7 +26,7 @@ const Skeleton& coral() {
 }
 
 void Fuse(benchmark::State& state) {
-  Boughs boughs = boughs_of(coral(), 1);
+  BranchVolume boughs = boughs_of(coral(), 1);
   VolumeOptions options{.voxel = kVoxel, .adaptivity = 0.01 * static_cast<double>(state.range(0))};
   std::size_t triangles = 0;
   for (auto _ : state) {
@@ -44,7 +44,7 @@ void Fuse(benchmark::State& state) {
 BENCHMARK(Fuse)->Arg(0)->Arg(10)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 
 void LevelSet(benchmark::State& state) {
-  Boughs boughs = boughs_of(coral(), static_cast<float>(state.range(0)));
+  BranchVolume boughs = boughs_of(coral(), static_cast<float>(state.range(0)));
   VolumeOptions options{.voxel = kVoxel};
   double voxels = 0;
   for (auto _ : state) {
@@ -57,7 +57,7 @@ void LevelSet(benchmark::State& state) {
 BENCHMARK(LevelSet)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 
 void Gather(benchmark::State& state) {
-  Boughs boughs = boughs_of(coral(), 1);
+  BranchVolume boughs = boughs_of(coral(), 1);
   for (auto _ : state)
     state.counters["blocks"] = static_cast<double>(gather_blocks(boughs, 0.002f, 0.006f).size());
 }

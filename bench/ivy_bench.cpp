@@ -17,13 +17,13 @@ const Surface& rock() {
   return surface;
 }
 
-const Host& host() {
-  static const Host built = std::move(*Host::build(rock()));
+const TriangleSurface& host() {
+  static const TriangleSurface built = std::move(*TriangleSurface::build(rock()));
   return built;
 }
 
 void BuildHost(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(Host::build(rock()));
+  for (auto _ : state) benchmark::DoNotOptimize(TriangleSurface::build(rock()));
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(rock().triangle.size()));
 }
 BENCHMARK(BuildHost)->Unit(benchmark::kMillisecond);

@@ -24,7 +24,7 @@ RESERVED = {
     "tbb/": lambda path: path.parent.name == "core" and path.name == "parallel.cpp",
     "oneapi/tbb": lambda path: path.parent.name == "core" and path.name == "parallel.cpp",
     "meshoptimizer.h": lambda path: path.parent.name == "geometry" and path.name == "far.cpp",
-    "embree3/": lambda path: (path.parent.name, path.name) == ("creeping", "host.cpp") or path.parent.name == "passes",
+    "embree3/": lambda path: (path.parent.name, path.name) == ("creeping", "triangle_surface.cpp") or path.parent.name == "passes",
     "openvdb/": lambda path: path.parent.name == "field" and path.suffix == ".cpp",
     "OpenEXR/": lambda path: (path.parent.name, path.name) == ("images", "exr.cpp"),
     "Imath/": lambda path: (path.parent.name, path.name) == ("images", "exr.cpp"),

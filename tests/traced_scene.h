@@ -26,7 +26,7 @@ inline LinearRaster traced_scene(const std::string& scene, std::array<int, 2> si
   fs::path folder = fs::temp_directory_path() / fmt::format("frond_test_{}_{}", getpid(), times++);
   EXPECT_TRUE(write_file(folder / "own.pov", scene));
   for (const Picture& file : files) EXPECT_TRUE(write_file(folder / file.name, file.bytes));
-  Words said;
+  OutputCapture said;
   Command command;
   command.folder = folder;
   command.out = command.err = said.descriptor();

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/lots.h"
+#include "core/discrete_distribution.h"
 #include "core/seed.h"
 
 namespace frond {
@@ -13,7 +13,7 @@ TEST(Triangle, PlacesAreDrawnAllOverByArea) {
   const Vec3 corner[3][3] = {{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}},
                              {{0, 0, 0}, {1, 0, 1}, {2, 0, 2}},
                              {{0, 0, 0}, {1, 0, 1}, {0, 0, 1}}};
-  Lots lots;
+  DiscreteDistribution lots;
   for (const auto& [a, b, c] : corner) lots.add(triangle_area(a, b, c));
   EXPECT_NEAR(lots.sum(), 1, 1e-6);
   constexpr int kDraws = 40000, kSide = 4;

@@ -13,7 +13,7 @@ struct Faults {
   std::size_t far = 0, floating = 0, within = 0, through = 0;
 };
 
-Faults faults(const Strands& s, const Host& host) {
+Faults faults(const Strands& s, const TriangleSurface& host) {
   Faults f;
   for (std::size_t i = 0; i < s.size(); ++i) {
     DVec3 at(s.skeleton.position[i]);
@@ -38,7 +38,7 @@ Faults faults(const Strands& s, const Host& host) {
   return f;
 }
 
-void expect_on(const Host& host, const Strands& s) {
+void expect_on(const TriangleSurface& host, const Strands& s) {
   ASSERT_EQ(s.skeleton.check(), "");
   Faults f = faults(s, host);
   EXPECT_EQ(f.far, 0u);
@@ -60,7 +60,7 @@ TEST(Crawl, KeepsToEverySurface) {
                         {"openings", wall_with_openings()},
                         {"corner", corner()}}) {
     SCOPED_TRACE(c.name);
-    Host host = built(c.surface);
+    TriangleSurface host = built(c.surface);
     Strands s = grow_strands(host, starts_around(host, 12, Vec3(0), 10, Seed{3}), {}, Seed{1});
     EXPECT_GT(s.size(), 3000u);
     expect_on(host, s);
@@ -69,7 +69,7 @@ TEST(Crawl, KeepsToEverySurface) {
 
 TEST(Crawl, KeepsToWhatScannersGive) {
   for (std::uint64_t i = 0; i < 3; ++i) {
-    Host host = built(scanned(Seed{i}));
+    TriangleSurface host = built(scanned(Seed{i}));
     Strands s = grow_strands(host, starts_at_foot(host, 12, 0.03, Vec3(0), Seed{3}), {}, Seed{i});
     EXPECT_GT(s.size(), 3000u);
     ASSERT_EQ(s.skeleton.check(), "");
@@ -82,7 +82,7 @@ TEST(Crawl, KeepsToWhatScannersGive) {
 TEST(Crawl, KeepsToTheOuterSideOfOpenMeshes) {
   Surface bowl = ball(1, 80, 40);
   std::erase_if(bowl.triangle, [&](const auto& t) { return bowl.position[t[0]].y > 0.3f; });
-  Host host = built(bowl);
+  TriangleSurface host = built(bowl);
   Crawl crawl;
   crawl.let_go = 0;
   auto within = [&](const Strands& s) {
@@ -99,7 +99,7 @@ TEST(Crawl, KeepsToTheOuterSideOfOpenMeshes) {
 }
 
 TEST(Crawl, IsTheSameAtAnyNumberOfThreads) {
-  Host host = built(bumpy_rock(5));
+  TriangleSurface host = built(bumpy_rock(5));
   auto starts = starts_at_foot(host, 20, 0.02, Vec3(0), Seed{3});
   limit_threads(1);
   Strands one = grow_strands(host, starts, {}, Seed{2});
@@ -115,7 +115,7 @@ TEST(Crawl, IsTheSameAtAnyNumberOfThreads) {
 }
 
 TEST(Crawl, GoesOverTheEdgesOfAThinWall) {
-  Host host = built(thin_wall());
+  TriangleSurface host = built(thin_wall());
   std::size_t reached = 0, over = 0, front = 0, back = 0;
   for (std::uint64_t i = 0; i < 4; ++i) {
     Strands s = grow_strands(host, starts_at_foot(host, 12, 0.05, Vec3(0, 0, 1), Seed{i}), {}, Seed{i});
@@ -144,7 +144,7 @@ TEST(Crawl, GoesOverTheEdgesOfAThinWall) {
 }
 
 /// The share of `cells` boxes all over the host's triangles that hold a node.
-double covered(const Host& host, const Strands& s, double near) {
+double covered(const TriangleSurface& host, const Strands& s, double near) {
   std::size_t all = 0, with = 0;
   for (const Start& spot : starts_around(host, 400, Vec3(0), 1e3, Seed{77})) {
     double best = near;
@@ -156,7 +156,7 @@ double covered(const Host& host, const Strands& s, double near) {
 }
 
 TEST(Crawl, GoesAllRoundABall) {
-  Host host = built(ball(1, 160, 80));
+  TriangleSurface host = built(ball(1, 160, 80));
   Crawl crawl;
   crawl.branch_depth = 6;
   Strands s = grow_strands(host, {{DVec3(0, -1, 0), DVec3(1, 0, 0)}}, crawl, Seed{4});
@@ -171,7 +171,7 @@ TEST(Crawl, GoesAllRoundABall) {
 }
 
 TEST(Crawl, StrandsKeepApartAndFillAWallEvenly) {
-  Host host = built(bricks(40, 20, 3, Vec3(0.1f), [](int, int, int) { return true; }));
+  TriangleSurface host = built(bricks(40, 20, 3, Vec3(0.1f), [](int, int, int) { return true; }));
   auto starts = starts_at_foot(host, 12, 0.05, Vec3(0, 0, 1), Seed{1});
   Crawl crawl;
   crawl.let_go = 0;
@@ -212,7 +212,7 @@ TEST(Crawl, StrandsKeepApartAndFillAWallEvenly) {
 }
 
 TEST(Crawl, BranchesToEitherSideAtTheAngle) {
-  Host host = built(bricks(1, 1, 1, Vec3(8, 8, 0.2f), [](int, int, int) { return true; }));
+  TriangleSurface host = built(bricks(1, 1, 1, Vec3(8, 8, 0.2f), [](int, int, int) { return true; }));
   Crawl crawl;
   crawl.wander = 0;
   crawl.bias = 0;
@@ -241,7 +241,7 @@ TEST(Crawl, BranchesToEitherSideAtTheAngle) {
 }
 
 TEST(Crawl, StepsHaveTheirLengthAndFollowTheBias) {
-  Host host = built(bricks(1, 1, 1, Vec3(20, 20, 0.2f), [](int, int, int) { return true; }));
+  TriangleSurface host = built(bricks(1, 1, 1, Vec3(20, 20, 0.2f), [](int, int, int) { return true; }));
   Crawl crawl;
   crawl.branch_depth = 0;
   crawl.bias = 1;
@@ -263,7 +263,7 @@ TEST(Crawl, StepsHaveTheirLengthAndFollowTheBias) {
 }
 
 TEST(Crawl, BiasAndDirectionChangeWithTheGrowth) {
-  Host host = built(bricks(1, 1, 1, Vec3(20, 20, 0.2f), [](int, int, int) { return true; }));
+  TriangleSurface host = built(bricks(1, 1, 1, Vec3(20, 20, 0.2f), [](int, int, int) { return true; }));
   Crawl crawl;
   crawl.branch_depth = 0, crawl.wander = 0, crawl.max_age = 200;
   crawl.bias = Animated<double>({{0, 0.0}, {0.4, 0.0}, {0.5, 1.0}});
@@ -288,7 +288,7 @@ double away_from(const std::vector<DVec3>& curve, const DVec3& place) {
 }
 
 TEST(Crawl, StrandsKeepWithinTheWidthOfGuidesAndFillIt) {
-  Host host = built(bricks(1, 1, 1, Vec3(20, 20, 0.2f), [](int, int, int) { return true; }));
+  TriangleSurface host = built(bricks(1, 1, 1, Vec3(20, 20, 0.2f), [](int, int, int) { return true; }));
   // An S, drawn a little before the wall; its ends are far from each other along it and near in space.
   std::vector<DVec3> drawn, on_wall;
   for (int i = 0; i <= 60; ++i) {
@@ -313,7 +313,7 @@ TEST(Crawl, StrandsKeepWithinTheWidthOfGuidesAndFillIt) {
 }
 
 TEST(Crawl, GuidesLeadAsStronglyAsTheyPull) {
-  Host host = built(bricks(1, 1, 1, Vec3(20, 20, 0.2f), [](int, int, int) { return true; }));
+  TriangleSurface host = built(bricks(1, 1, 1, Vec3(20, 20, 0.2f), [](int, int, int) { return true; }));
   std::vector<DVec3> line{DVec3(0, 4, 0.1), DVec3(0, 9, 0.1)};
   Crawl crawl;
   crawl.guides.emplace_back().points = {line.begin(), line.end()};
@@ -336,7 +336,7 @@ TEST(Crawl, GuidesLeadAsStronglyAsTheyPull) {
 }
 
 TEST(Crawl, TipsWithoutATraceKeepApartAndTurnBack) {
-  Host host = built(ball(1, 160, 80));
+  TriangleSurface host = built(ball(1, 160, 80));
   Crawl crawl;
   crawl.trace = false;
   crawl.bias = 0, crawl.spacing = 0.2, crawl.max_age = 300;
@@ -366,7 +366,7 @@ TEST(Crawl, TipsWithoutATraceKeepApartAndTurnBack) {
 }
 
 TEST(Crawl, RadiiFollowAgeAndWhatIsCarried) {
-  Host host = built(thin_wall());
+  TriangleSurface host = built(thin_wall());
   Crawl crawl;
   crawl.pipe = 0;
   auto starts = starts_at_foot(host, 6, 0.05, Vec3(0, 0, 1), Seed{1});
@@ -391,7 +391,7 @@ TEST(Crawl, RadiiFollowAgeAndWhatIsCarried) {
 }
 
 TEST(Crawl, StopsWhereItIsTold) {
-  Host host = built(thin_wall());
+  TriangleSurface host = built(thin_wall());
   auto starts = starts_at_foot(host, 6, 0.05, Vec3(0, 0, 1), Seed{1});
   Crawl crawl;
   crawl.max_length = 0.5;
@@ -422,7 +422,7 @@ TEST(Crawl, DoesNotDependOnTheScale) {
   for (double scale : {0.01, 1.0, 100.0}) {
     Surface rock = bumpy_rock(5);
     for (Vec3& p : rock.position) p *= static_cast<float>(scale);
-    Host host = built(rock);
+    TriangleSurface host = built(rock);
     Crawl crawl;
     for (double* metres : {&crawl.speed, &crawl.branch_every, &crawl.radius, &crawl.spacing, &crawl.hang_most,
                            &crawl.stiffness})

@@ -11,9 +11,10 @@ namespace frond {
 namespace {
 
 /// Far from everything.
-Host nowhere() { return built(ball(0.1, 8, 6)); }
+TriangleSurface nowhere() { return built(ball(0.1, 8, 6)); }
 
-Chain grown(const Host& host, double stiffness, int links, DVec3 heading, DVec3 root = DVec3(10, 10, 0)) {
+Chain grown(const TriangleSurface& host, double stiffness, int links, DVec3 heading,
+            DVec3 root = DVec3(10, 10, 0)) {
   Chain chain;
   chain.root = root;
   chain.heading = glm::normalize(heading);
@@ -30,7 +31,7 @@ Chain grown(const Host& host, double stiffness, int links, DVec3 heading, DVec3 
 }
 
 TEST(Hang, LinksKeepTheirLength) {
-  Host host = nowhere();
+  TriangleSurface host = nowhere();
   Chain chain = grown(host, 0.12, 50, DVec3(1, 0.5, 0));
   DVec3 at = chain.root;
   for (const DVec3& p : chain.place) {
@@ -40,7 +41,7 @@ TEST(Hang, LinksKeepTheirLength) {
 }
 
 TEST(Hang, StiffnessIsTheLengthThatStandsOut) {
-  Host host = nowhere();
+  TriangleSurface host = nowhere();
   // Bending of a level rod under its own weight, by the theory of small bends: w L^4 / (8 E I).
   Chain stiff = grown(host, 2, 20, DVec3(1, 0, 0));
   double length = stiff.length(), sag = stiff.root.y - stiff.place.back().y;
@@ -55,13 +56,13 @@ TEST(Hang, StiffnessIsTheLengthThatStandsOut) {
 }
 
 TEST(Hang, IsAtRest) {
-  Host host = nowhere();
+  TriangleSurface host = nowhere();
   Chain chain = grown(host, 0.1, 40, DVec3(1, 0.3, 0.2));
   EXPECT_LT(settle(chain, host, 1), 1e-4);
 }
 
 TEST(Hang, DrapesOverALedgeWithoutCuttingIt) {
-  Host host = built(cube(1, 4));
+  TriangleSurface host = built(cube(1, 4));
   Chain chain = grown(host, 0.06, 40, DVec3(1, 0, 0), DVec3(0.4, 1.003, 0.1));
   DVec3 at = chain.root;
   for (const DVec3& p : chain.place) {
@@ -73,14 +74,14 @@ TEST(Hang, DrapesOverALedgeWithoutCuttingIt) {
   EXPECT_LT(chain.place.back().y, 0.5);
 }
 
-Strands hanging_garden(const Host& host) {
+Strands hanging_garden(const TriangleSurface& host) {
   Crawl crawl;
   crawl.let_go = 0.6;
   return grow_strands(host, starts_at_foot(host, 12, 0.05, Vec3(0, 0, 1), Seed{2}), crawl, Seed{5});
 }
 
 TEST(Hang, OnlyWhatIsMarkedHangsAndItKeepsItsLength) {
-  Host host = built(wall_with_openings());
+  TriangleSurface host = built(wall_with_openings());
   Strands s = hanging_garden(host);
   std::size_t hung = 0, gripped = 0;
   for (std::size_t i = 0; i < s.size(); ++i) {
@@ -139,7 +140,7 @@ TEST(Hang, NothingSlipsInThroughTheHolesOfAScan) {
        {Case{"ball", ball_with_holes(0.12), 0.7}, Case{"large holes", ball_with_holes(0.35), 0.7},
         Case{"scan", scanned(Seed{3}), 0.7}, Case{"front", front_of_a_house(), 0.45}}) {
     SCOPED_TRACE(name);
-    Host host = built(surface);
+    TriangleSurface host = built(surface);
     ASSERT_FALSE(host.closed());
     Crawl crawl;
     crawl.let_go = 0.6;
@@ -163,7 +164,7 @@ TEST(Hang, NothingSlipsInThroughTheHolesOfAScan) {
 }
 
 TEST(Swing, IsAFunctionOfTimeThatRepeatsAndKeepsLengths) {
-  Host host = built(wall_with_openings());
+  TriangleSurface host = built(wall_with_openings());
   Strands s = hanging_garden(host);
   Breeze breeze;
   breeze.film_length = 6;

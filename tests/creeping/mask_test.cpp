@@ -21,7 +21,7 @@ Surface painted_wall(const std::function<float(float)>& grey) {
   return wall;
 }
 
-Strands creeping(const Host& host, const std::optional<CrawlMask>& mask) {
+Strands creeping(const TriangleSurface& host, const std::optional<CrawlMask>& mask) {
   Crawl crawl;
   crawl.mask = mask;
   crawl.max_age = 120;
@@ -35,7 +35,7 @@ TEST(Mask, IsThatOfThePlaceWhateverWayTrianglesTurn) {
     std::swap(wall.triangle[t][1], wall.triangle[t][2]);
     std::swap(wall.paint[t][1], wall.paint[t][2]);
   }
-  Host host = built(wall);
+  TriangleSurface host = built(wall);
   EXPECT_TRUE(host.has_grey());
   EXPECT_TRUE(host.has_texture());
   EXPECT_FALSE(built(ball(1, 8, 6)).has_grey());
@@ -58,7 +58,7 @@ TEST(Mask, IsThatOfThePlaceWhateverWayTrianglesTurn) {
 
 TEST(Mask, StopsStrandsWhereItIsBlack) {
   Surface wall = painted_wall([](float x) { return std::abs(x) < 0.4f ? 0.0f : 1.0f; });
-  Host host = built(wall);
+  TriangleSurface host = built(wall);
   CrawlMask mask;
   auto within = [](const Strands& s) {
     return std::count_if(s.contact.begin(), s.contact.end(), [](Vec3 p) { return std::abs(p.x) < 0.37f; });
@@ -71,7 +71,7 @@ TEST(Mask, StopsStrandsWhereItIsBlack) {
 }
 
 TEST(Mask, ScalesWhatIsNamed) {
-  Host host = built(painted_wall([](float x) { return x < 0 ? 1.0f : 0.3f; }));
+  TriangleSurface host = built(painted_wall([](float x) { return x < 0 ? 1.0f : 0.3f; }));
   auto shares = [&](const Strands& s) {  // of nodes that lie in the grey half
     double grey = 0;
     for (const Vec3& p : s.contact) grey += p.x > 0;
@@ -96,7 +96,7 @@ TEST(Mask, OfBodiesWithoutPaintIsWhite) {
   Surface both = painted_wall([](float) { return 0.0f; });
   append_placed(both, ball(0.5, 12, 8), Vec3(5, 0, 0), Quat(1, 0, 0, 0), Vec3(1));
   EXPECT_EQ(both.check(), "");
-  Host host = built(both);
+  TriangleSurface host = built(both);
   Contact near = *host.closest(DVec3(5, 1, 0));
   EXPECT_EQ(CrawlMask{}.at(host, near.triangle, near.point), 1);
 }

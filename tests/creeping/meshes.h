@@ -6,12 +6,12 @@
 
 #include "core/noise.h"
 #include "core/seed.h"
-#include "creeping/host.h"
+#include "creeping/triangle_surface.h"
 #include "rocks/stone.h"
 
 namespace frond {
 
-inline Host built(const Surface& s) { return std::move(*Host::build(s)); }
+inline TriangleSurface built(const Surface& s) { return std::move(*TriangleSurface::build(s)); }
 
 /// A surface over a grid of (u, v) in 0..1, joined to itself where `wrap` says so.
 inline Surface sheet(int columns, int rows, bool wrap_u, bool wrap_v,

@@ -99,7 +99,7 @@ TEST(HungChain, StaysAtRestWithoutWind) {
 }
 
 struct Garden {
-  Host host = built(wall_with_openings());
+  TriangleSurface host = built(wall_with_openings());
   Strands strands;
   Breeze breeze;
   Garden() {

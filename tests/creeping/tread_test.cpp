@@ -65,7 +65,7 @@ TEST(Tread, BiasTurnsEvenWhatRunsStraightAway) {
 }
 
 /// Walks straight on and checks each stride.
-void walk(const Host& host, Tread tread, double step, double lift, int count, double least_way) {
+void walk(const TriangleSurface& host, Tread tread, double step, double lift, int count, double least_way) {
   DVec3 first = tread.place;
   double farthest = 0, way = 0;
   for (int i = 0; i < count; ++i) {
@@ -86,7 +86,7 @@ void walk(const Host& host, Tread tread, double step, double lift, int count, do
 }
 
 TEST(Tread, GoesRoundACube) {
-  Host host = std::move(*Host::build(cube(1, 2)));
+  TriangleSurface host = std::move(*TriangleSurface::build(cube(1, 2)));
   for (double angle : {0.0, 0.3, 0.7, 1.1}) {
     Tread t = *tread_at(host, DVec3(0.1, 1, 0.05), DVec3(std::cos(angle), 0, std::sin(angle)), 0.002);
     walk(host, t, 0.03, 0.002, 400, 0.9);
@@ -94,7 +94,7 @@ TEST(Tread, GoesRoundACube) {
 }
 
 TEST(Tread, GoesRoundABallOnAGreatCircle) {
-  Host host = std::move(*Host::build(ball(1, 320, 160)));
+  TriangleSurface host = std::move(*TriangleSurface::build(ball(1, 320, 160)));
   Tread t = *tread_at(host, DVec3(1, 0, 0), DVec3(0, 1, 1), 0.002);
   DVec3 pole = glm::normalize(glm::cross(t.place, t.heading));
   for (int i = 0; i < 400; ++i) {
@@ -104,7 +104,7 @@ TEST(Tread, GoesRoundABallOnAGreatCircle) {
 }
 
 TEST(Tread, ClimbsOutOfACorner) {
-  Host host = std::move(*Host::build(corner()));
+  TriangleSurface host = std::move(*TriangleSurface::build(corner()));
   Tread t = *tread_at(host, DVec3(0, 0.2, 0.5), DVec3(0.1, 0, -1), 0.002);
   for (int i = 0; i < 100; ++i) t = stride(host, t, 0.03, 0.002).tread;
   EXPECT_GT(t.place.y, 1);
@@ -114,7 +114,7 @@ TEST(Tread, ClimbsOutOfACorner) {
 
 TEST(Tread, WalksOnEverything) {
   for (const Surface& s : {bumpy_rock(5), ring(1, 0.3, 120, 60), wall_with_openings(), thin_wall()}) {
-    Host host = std::move(*Host::build(s));
+    TriangleSurface host = std::move(*TriangleSurface::build(s));
     for (std::uint64_t i = 0; i < 40; ++i) {
       Seed own = Seed{9}.child(i);
       DVec3 p = unit(own) * host.size();

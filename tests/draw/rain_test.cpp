@@ -40,9 +40,9 @@ TEST(RainStreaks, FallOnRoofsAndNotBelow) {
   Surface roof;
   roof.position = {{-2, 2, 1}, {2, 2, 1}, {2, 2, 5}, {-2, 2, 5}};
   roof.triangle = {{0, 1, 2}, {0, 2, 3}};
-  Overhead bodies({0, 3}, 20, 0.1f);
+  CoverGrid bodies({0, 3}, 20, 0.1f);
   bodies.take(roof);
-  scene.overhead = std::make_shared<const Overhead>(std::move(bodies));
+  scene.overhead = std::make_shared<const CoverGrid>(std::move(bodies));
   EXPECT_EQ(below(), 0);
 }
 

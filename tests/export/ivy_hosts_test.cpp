@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "core/files.h"
-#include "creeping/host.h"
 #include "creeping/meshes.h"
+#include "creeping/triangle_surface.h"
 #include "export/export_scene.h"
 
 // Leaves of ivy as they are exported, against meshes of all kinds that they grow on.
@@ -97,7 +97,7 @@ struct LeafPieces {
 };
 
 /// Whether a piece of a leaf, some triangles, is in a host: a corner of it is, or an edge goes through it.
-bool is_inside(const Surface& s, const std::vector<std::uint32_t>& triangles, const Host& host) {
+bool is_inside(const Surface& s, const std::vector<std::uint32_t>& triangles, const TriangleSurface& host) {
   for (std::uint32_t t : triangles)
     for (std::size_t k = 0; k < 3; ++k) {
       DVec3 a(s.position[s.triangle[t][k]]), b(s.position[s.triangle[t][(k + 1) % 3]]);
@@ -107,7 +107,7 @@ bool is_inside(const Surface& s, const std::vector<std::uint32_t>& triangles, co
 }
 
 /// The pieces of leaves that hang together, with their petioles or without.
-void count_pieces(const Surface& s, const Host& host, LeafPieces& pieces) {
+void count_pieces(const Surface& s, const TriangleSurface& host, LeafPieces& pieces) {
   std::vector<std::uint32_t> above(s.position.size());
   std::iota(above.begin(), above.end(), 0u);
   auto root = [&](std::uint32_t i) {
@@ -131,7 +131,7 @@ void count_pieces(const Surface& s, const Host& host, LeafPieces& pieces) {
 /// Those of all leaves as they are exported.
 LeafPieces pieces_of(const Scene& scene) {
   const Specimen& ivy = scene.specimens.back();
-  Host host = built(skin_of(scene.specimens[scene.specimens.size() - 2].model));
+  TriangleSurface host = built(skin_of(scene.specimens[scene.specimens.size() - 2].model));
   Result<ExportScene> exported = export_scene(scene, 0, {.detail = 1e9, .texture = 0, .instances = true});
   LeafPieces pieces;
   EXPECT_TRUE(exported);

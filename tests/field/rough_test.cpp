@@ -30,8 +30,8 @@ struct Swaying {
     return *roughen(boughs(), {.voxel = 0.012, .roughness = roughness},
                     {still.position, pose.position, pose.turn});
   }
-  Boughs boughs() const {
-    Boughs made;
+  BranchVolume boughs() const {
+    BranchVolume made;
     add_boughs(made, rest, still.position, still.radius, still.front, 1);
     return made;
   }
@@ -47,7 +47,7 @@ FusedMesh rough_at_rest(const Skeleton& s, const VolumeOptions& options) {
 struct Departure {
   double most = 0, mean = 0;
 };
-Departure departure(const Surface& surface, const Boughs& boughs) {
+Departure departure(const Surface& surface, const BranchVolume& boughs) {
   Departure d;
   Nearby all = all_of(boughs);
   for (Vec3 p : surface.position) {

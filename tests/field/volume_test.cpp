@@ -36,7 +36,7 @@ TEST(Fuse, a_stick_is_closed_faces_outward_and_has_its_volume) {
 
 TEST(Fuse, vertices_lie_on_the_exact_surface_and_normals_stand_on_it) {
   Skeleton s = stick({0, 0, 0}, {0, 1, 0}, 0.2f, 0.1f);
-  Boughs boughs = boughs_of(s, 1);
+  BranchVolume boughs = boughs_of(s, 1);
   Result<FusedMesh> mesh = fuse(boughs, {.voxel = 0.02, .adaptivity = 0.3});
   ASSERT_TRUE(mesh);
   for (std::size_t v = 0; v < mesh->surface.position.size(); ++v) {
@@ -60,7 +60,7 @@ TEST(Fuse, a_ring_of_branches_has_a_hole) {
 
 TEST(Fuse, adaptivity_saves_triangles) {
   Skeleton s = stick({0, 0, 0}, {0, 1, 0}, 0.2f, 0.2f);
-  Boughs boughs = boughs_of(s, 1);
+  BranchVolume boughs = boughs_of(s, 1);
   std::size_t fine = fuse(boughs, {.voxel = 0.01, .adaptivity = 0})->surface.triangle.size();
   std::size_t coarse = fuse(boughs, {.voxel = 0.01, .adaptivity = 0.2})->surface.triangle.size();
   EXPECT_LT(coarse, fine / 2);
@@ -88,7 +88,7 @@ TEST(Fuse, moves_no_farther_than_its_branches_and_grows_steadily) {
   for (double time : {0.5, 1.0, 2.6}) {
     pose_skeleton(s, motion, time, before);
     pose_skeleton(s, motion, time + 1.0 / 24, after);
-    Boughs first, second;
+    BranchVolume first, second;
     add_boughs(first, s, before.position, before.radius, before.front, 1);
     add_boughs(second, s, after.position, after.radius, after.front, 1);
     FusedMesh mesh = *fuse(first, {.voxel = 0.008}), later = *fuse(second, {.voxel = 0.008});
@@ -113,7 +113,7 @@ TEST(Fuse, moves_no_farther_than_its_branches_and_grows_steadily) {
 }
 
 TEST(Fuse, is_the_same_at_any_number_of_threads) {
-  Boughs boughs = boughs_of(test_coral(4), 1);
+  BranchVolume boughs = boughs_of(test_coral(4), 1);
   VolumeOptions options{.voxel = 0.008};
   limit_threads(1);
   FusedMesh one = *fuse(boughs, options);
@@ -129,7 +129,7 @@ TEST(Fuse, is_the_same_at_any_number_of_threads) {
 
 TEST(Volume, is_foreseen_within_a_factor_of_two) {
   for (double voxel : {0.02, 0.01, 0.004}) {
-    Boughs boughs = boughs_of(test_coral(4), 1);
+    BranchVolume boughs = boughs_of(test_coral(4), 1);
     Blocks blocks = gather_blocks(boughs, static_cast<float>(voxel), static_cast<float>(3 * voxel));
     double estimated = estimate_volume(boughs, voxel).blocks;
     EXPECT_LT(estimated, 2.0 * static_cast<double>(blocks.size())) << voxel;
@@ -138,7 +138,7 @@ TEST(Volume, is_foreseen_within_a_factor_of_two) {
 }
 
 TEST(Volume, past_the_limit_is_refused_with_the_figure) {
-  Boughs boughs = boughs_of(test_coral(4), 1);
+  BranchVolume boughs = boughs_of(test_coral(4), 1);
   Result<FusedMesh> mesh = fuse(boughs, {.voxel = 0.00002});
   ASSERT_FALSE(mesh);
   EXPECT_NE(mesh.errors()[0].what.find("GB"), std::string::npos) << mesh.errors()[0].what;
@@ -147,7 +147,7 @@ TEST(Volume, past_the_limit_is_refused_with_the_figure) {
 }
 
 TEST(Volume, of_a_vdb_file_is_the_one_that_was_written) {
-  Boughs boughs = boughs_of(test_coral(3), 1);
+  BranchVolume boughs = boughs_of(test_coral(3), 1);
   Volume volume = *volume_of(boughs, {.voxel = 0.01});
   auto path =
       std::filesystem::temp_directory_path() / ("frond_field_test_" + std::to_string(getpid()) + ".vdb");
@@ -159,7 +159,7 @@ TEST(Volume, of_a_vdb_file_is_the_one_that_was_written) {
   EXPECT_EQ(read->active_voxels(), volume.active_voxels());
   EXPECT_GT(volume.active_voxels(), 1000u);
   // The distance itself, at the voxels round the first nodes.
-  for (const Cone& cone : boughs.cones) {
+  for (const RoundCone& cone : boughs.cones) {
     Cell cell = voxel_at(cone.from, 0.01f);
     EXPECT_EQ(read->at(cell), volume.at(cell));
     EXPECT_LT(read->at(cell), 0);

@@ -27,7 +27,7 @@ class GrowingCopies : public testing::Test {
  protected:
   void SetUp() override {
     std::filesystem::create_directories(folder_);
-    Watch watch{[](auto, auto) {}, [] {}};
+    ProgressSink watch{[](auto, auto) {}, [] {}};
     plan_ = *write_models(scene_, folder_, watch);
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }

@@ -33,8 +33,8 @@ Surface block(Vec3 half) {
   return s;
 }
 
-TEST(Overhead, SheltersWhatFallsPastABody) {
-  Overhead bodies({0, 0}, 10, 0.1f);
+TEST(CoverGrid, SheltersWhatFallsPastABody) {
+  CoverGrid bodies({0, 0}, 10, 0.1f);
   bodies.take(plate({-1, 2, -1}, {0, 0, 2}, {2, 0, 0}));
   EXPECT_TRUE(bodies.shelters({0, 1, 0}, {0, -1, 0}));
   EXPECT_FALSE(bodies.shelters({0, 2.1f, 0}, {0, -1, 0})) << "above it";
@@ -105,7 +105,7 @@ TEST(Snow, LiesOnUpperFacesNotUnderThem) {
 }
 
 TEST(Snow, NoneComesUnderARoofAndAllToTheOpen) {
-  Overhead bodies(Vec2(0), 20, 0.08f);
+  CoverGrid bodies(Vec2(0), 20, 0.08f);
   Surface roof = block({3, 0.05f, 3});
   for (Vec3& p : roof.position) p.y += 1.5f;
   bodies.take(roof);
@@ -129,7 +129,7 @@ SnowLand level_land() {
 
 TEST(Snow, OnTheGroundIsScaledByWhatIsKept) {
   SnowLand land = level_land();
-  Overhead none(Vec2(0), 20, 0.1f);
+  CoverGrid none(Vec2(0), 20, 0.1f);
   SnowSheet all = snow_on_ground(land, none, {}, Seed{1});
   land.kept = [](Vec2 at) { return at.x < 0 ? 0.0 : 1.0; };
   SnowSheet half = snow_on_ground(land, none, {}, Seed{1});
@@ -139,7 +139,7 @@ TEST(Snow, OnTheGroundIsScaledByWhatIsKept) {
 
 TEST(Snow, OnTheGroundIsNowhereBelowItAndHollowAtTrunks) {
   SnowLand land = level_land();
-  Overhead none(Vec2(0), 20, 0.1f);
+  CoverGrid none(Vec2(0), 20, 0.1f);
   SnowSheet snow = snow_on_ground(land, none, {}, Seed{1});
   double at_trunk = 1, all = 0;
   for (std::size_t i = 0; i < snow.bare.size(); ++i) {
@@ -156,7 +156,7 @@ TEST(Snow, OnTheGroundIsNowhereBelowItAndHollowAtTrunks) {
 TEST(Snow, DriftsIntoTheLee) {
   SnowLand land = level_land();
   land.trunks.clear();
-  Overhead wall(Vec2(0), 20, 0.1f);
+  CoverGrid wall(Vec2(0), 20, 0.1f);
   wall.take(block({0.15f, 0.5f, 3}));
   SnowSheet calm = snow_on_ground(land, wall, {}, Seed{1}),
             windy = snow_on_ground(land, wall, {Vec2(1, 0), 1}, Seed{1});
@@ -174,7 +174,7 @@ TEST(Snow, DriftsIntoTheLee) {
 
 TEST(Snow, GrowsInProportionToItsDepth) {
   std::vector<SnowSheet> sheets{snow_on_body(block({0.5f, 0.4f, 0.3f}), 0.2, 0.02f, open_sky),
-                                snow_on_ground(level_land(), Overhead(Vec2(0), 20, 0.1f), {}, Seed{1})};
+                                snow_on_ground(level_land(), CoverGrid(Vec2(0), 20, 0.1f), {}, Seed{1})};
   for (const SnowSheet& sheet : sheets) {
     double last = -1;
     Surface before = snow_surface(sheet, 0);

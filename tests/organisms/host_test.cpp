@@ -22,7 +22,7 @@ void describe(Reader& reader, OfKind& one) { one.kind.read(reader, one.organism)
 
 namespace {
 
-TEST(Host, WallIsBricksInTonesBeforeMortar) {
+TEST(TriangleSurface, WallIsBricksInTonesBeforeMortar) {
   WallParams params;
   params.shape.openings = {{WallHole::window, 0.5, 0.8, 1.0, 1.1}};
   Model model = build_wall_model(params, Seed{1});
@@ -42,7 +42,7 @@ TEST(Host, WallIsBricksInTonesBeforeMortar) {
   EXPECT_NE(other.solids.shape, model.solids.shape);
 }
 
-TEST(Host, ColumnIsWhatIvyHoldsOnTo) {
+TEST(TriangleSurface, ColumnIsWhatIvyHoldsOnTo) {
   Model model = build_column_model({});
   EXPECT_EQ(model.check(), "");
   EXPECT_TRUE(closed(model.hull));
@@ -50,7 +50,7 @@ TEST(Host, ColumnIsWhatIvyHoldsOnTo) {
   EXPECT_EQ(model.solids.shapes[0].surface.triangle.size(), model.hull.triangle.size());
 }
 
-TEST(Host, MeshIsScaledToItsSize) {
+TEST(TriangleSurface, MeshIsScaledToItsSize) {
   MeshParams params;
   params.file.name = "box.obj";
   EXPECT_FALSE(build_mesh_model(params).ok()) << "nothing has been read";

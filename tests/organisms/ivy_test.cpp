@@ -33,7 +33,7 @@ IvyParams small_ivy() {
 }
 
 Ivy ivy_on_wall(const IvyParams& params, std::uint64_t seed = 1) {
-  Result<Ivy> ivy = grow_ivy(params, *Host::build(wall()), {}, 3, kLevel, Seed{seed});
+  Result<Ivy> ivy = grow_ivy(params, *TriangleSurface::build(wall()), {}, 3, kLevel, Seed{seed});
   if (!ivy) ADD_FAILURE() << ivy.errors().front().text();
   return ivy ? std::move(*ivy) : Ivy{};
 }
@@ -43,8 +43,8 @@ TEST(Walkers, StandOnTheirHostAndGoTheirWay) {
   params.crawl.trace = false;
   params.crawl.max_age = 200, params.crawl.speed = 0.005;
   params.facing = Vec3(0);
-  Result<Host> built = Host::build(wall());
-  const Host& host = *built;
+  Result<TriangleSurface> built = TriangleSurface::build(wall());
+  const TriangleSurface& host = *built;
   Result<Ivy> ivy = grow_ivy(params, host, {}, 12, kLevel, Seed{1});
   ASSERT_TRUE(ivy);
   EXPECT_EQ(ivy->model.check(), "");
@@ -83,7 +83,8 @@ TEST(Ivy, IsAModelWithLeavesOnItsStrands) {
 
 TEST(Ivy, StandsWhereItIsPut) {
   IvyParams params = small_ivy();
-  Result<Ivy> ivy = grow_ivy(params, *Host::build(wall()), {Vec3(0.5f, 0.05f, 0.4f)}, 1, kLevel, Seed{1});
+  Result<Ivy> ivy =
+      grow_ivy(params, *TriangleSurface::build(wall()), {Vec3(0.5f, 0.05f, 0.4f)}, 1, kLevel, Seed{1});
   ASSERT_TRUE(ivy.ok());
   Vec3 root = ivy->model.skeleton.position[0];
   EXPECT_NEAR(root.x, 0.5, 0.02);
@@ -92,7 +93,7 @@ TEST(Ivy, StandsWhereItIsPut) {
 }
 
 TEST(Ivy, RefusesWhatNothingHoldsOnTo) {
-  Result<std::shared_ptr<const Host>> none =
+  Result<std::shared_ptr<const TriangleSurface>> none =
       World(Seed{1}, Heights(), 1, false).host({}, "what the ivy grows on");
   ASSERT_FALSE(none.ok());
   EXPECT_NE(none.errors()[0].text().find("what the ivy grows on"), std::string::npos);
@@ -138,7 +139,7 @@ TEST(Ivy, SprigsBearManyLeavesForFewPlacements) {
   Model model;
   model.skeleton = ivy.model.skeleton;
   std::size_t leaves =
-      add_ivy_leaves(model, ivy.strands, params.leaves, {*Host::build(wall()), kLevel}, Seed{1});
+      add_ivy_leaves(model, ivy.strands, params.leaves, {*TriangleSurface::build(wall()), kLevel}, Seed{1});
   EXPECT_EQ(model.check(), "");
   EXPECT_GE(leaves, 6 * model.organs.size());
   EXPECT_GT(leaves, ivy.model.organs.size() / 2);
@@ -194,7 +195,7 @@ TEST(MaskedIvy, HasNoLeafOutsideOfTheWhiteAndReachesEachPieceOfIt) {
   params.crawl.mask = projected(island);
   params.leaves.bare = 0;
   for (std::uint64_t seed = 1; seed < 4; ++seed) {
-    Result<Ivy> ivy = grow_ivy(params, *Host::build(wall()), {}, 16, kLevel, Seed{seed});
+    Result<Ivy> ivy = grow_ivy(params, *TriangleSurface::build(wall()), {}, 16, kLevel, Seed{seed});
     ASSERT_TRUE(ivy);
     std::set<std::pair<bool, bool>>
         pieces;  // left or right, and the front or the back: it is projected on both

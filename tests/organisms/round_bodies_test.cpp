@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "creeping/host.h"
+#include "creeping/triangle_surface.h"
 #include "masonry/column.h"
 #include "organisms/colonized/colonized.h"
 #include "organisms/rock/rock.h"
@@ -30,10 +30,10 @@ std::vector<Surface> bodies() {
 struct Yard {
   std::vector<Surface> around = bodies();
   Obstacles obstacles = *Obstacles::build(around);
-  std::vector<Host> hosts;
+  std::vector<TriangleSurface> hosts;
   Yard() {
     for (const Surface& body : around) {
-      Result<Host> host = Host::build(body);
+      Result<TriangleSurface> host = TriangleSurface::build(body);
       hosts.push_back(std::move(*host));
     }
   }
@@ -43,7 +43,7 @@ struct Yard {
   /// Segments that touch a body.
   std::size_t touching(const Skeleton& s) const {
     std::size_t count = 0;
-    for (const Host& host : hosts)
+    for (const TriangleSurface& host : hosts)
       for (std::size_t i = 0; i < s.size(); ++i) {
         DVec3 at(s.position[i]);
         count += host.inside(at) ||

@@ -8,7 +8,7 @@
 namespace frond {
 
 TEST(Process, WordsReachAProgramAsTheyAre) {
-  Words said;
+  OutputCapture said;
   Command command;
   command.words = {"printf", "%s|", "a b", "$(x)", "'\"\n;", ""};
   command.out = said.descriptor();
@@ -38,7 +38,7 @@ TEST(Process, OneThatIsNotThereIsAnError) {
 }
 
 TEST(Process, RunsWhereItIsToldWithWhatItIsGiven) {
-  Words said;
+  OutputCapture said;
   Command command;
   command.words = {"sh", "-c", "pwd; echo $FROND_OF_A_TEST; cat"};
   command.environment = {"FROND_OF_A_TEST=a b"};
@@ -50,7 +50,7 @@ TEST(Process, RunsWhereItIsToldWithWhatItIsGiven) {
 
 TEST(Process, ConfinedItOpensWhatItIsGiven) {
   if (!can_confine()) GTEST_SKIP();
-  Words said;
+  OutputCapture said;
   Command command;
   command.words = {"sh", "-c", "cat /etc/passwd || echo refused; ls / >&2 || echo refused"};
   command.out = command.err = said.descriptor();

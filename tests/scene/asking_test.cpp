@@ -46,7 +46,7 @@ TEST(Asking, RunnersKeepTheirDistanceFromWhatTheyGrowOn) {
          "?H(a,b,c)?U(e,f,g)?E(k,d,x,y,z) < R -> ^(57*(e*x+f*y+g*z)*(max(-0.6,min(0.6,20*(0.02-d)))-a*x-b*y-c*z))F(0.02)?H(0,0,0)?U(0,0,0)?E(1,0,0,0,0)R",
          "?H(a,b,c) -> ", "?U(a,b,c) -> ", "?E(k,d,x,y,z) -> "]}})j");
   const Skeleton& runner = one_called(scene, "runner").model.skeleton;
-  Result<Host> boulder = Host::build(merged(one_called(scene, "boulder").model.solids));
+  Result<TriangleSurface> boulder = TriangleSurface::build(merged(one_called(scene, "boulder").model.solids));
   ASSERT_TRUE(boulder);
   ASSERT_GT(runner.size(), 30u);
   float farthest = 0;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "creeping/host.h"
+#include "creeping/triangle_surface.h"
 #include "geometry/far.h"
 #include "pieces.h"
 #include "scene_at.h"
@@ -79,7 +79,7 @@ TEST(BesideBodies, TreesOfAllKindsKeepOutOfThemWhereTheyStand) {
     text +=
         std::string(R"(, {"kind": )") + kind + R"(, "count": 2, "place": {"at": [[-1, 0.4], [1, -0.4]]}})";
   Scene scene = *build_scene(*read_preset(text + "]}", "beside.json", {}));
-  Host wall = taken(Host::build(skin_of(scene.specimens[0].model)));
+  TriangleSurface wall = taken(TriangleSurface::build(skin_of(scene.specimens[0].model)));
   std::size_t nodes = 0;
   for (const Specimen& s : scene.specimens)
     for (Vec3 at : s.model.skeleton.position) {

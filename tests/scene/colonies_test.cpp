@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "closed.h"
-#include "creeping/host.h"
+#include "creeping/triangle_surface.h"
 #include "scene/scene.h"
 
 namespace frond {
@@ -39,8 +39,9 @@ Surface skin(const Scene& scene, std::string_view name) {
 TEST(Colonies, NoneGrowsIntoAnother) {
   Scene scene = reef_of(kMassive + "," + kColumnar + "," + kBranching);
   Surface dome = skin(scene, "dome"), fingers = skin(scene, "fingers");
-  Result<Host> dome_host = Host::build(dome), fingers_host = Host::build(fingers);
-  const Host &in_dome = *dome_host, &in_fingers = *fingers_host;
+  Result<TriangleSurface> dome_host = TriangleSurface::build(dome),
+                          fingers_host = TriangleSurface::build(fingers);
+  const TriangleSurface &in_dome = *dome_host, &in_fingers = *fingers_host;
   for (const Vec3& p : fingers.position) EXPECT_FALSE(in_dome.inside(DVec3(p)));
   for (const Vec3& p : dome.position) EXPECT_FALSE(in_fingers.inside(DVec3(p)));
   const Skeleton& branches = scene.specimens[2].model.skeleton;
@@ -62,8 +63,8 @@ TEST(Colonies, StandOnBodiesAndNotInThem) {
       {"kind": "massive", "name": "dome", "count": 4, "relief": "plain", "across": 0.16, "height": 0.1, "edge": 0.004,
        "place": {"on": ["ledge"], "radius": 1, "spacing": 0.08}})");
   ASSERT_EQ(scene.specimens.size(), 5u);
-  Result<Host> ledge = Host::build(skin(scene, "ledge"));
-  const Host& rock = *ledge;
+  Result<TriangleSurface> ledge = TriangleSurface::build(skin(scene, "ledge"));
+  const TriangleSurface& rock = *ledge;
   int high = 0;
   for (std::size_t i = 1; i < 5; ++i) {
     Surface dome = skin_of(scene.specimens[i].model);

@@ -83,8 +83,8 @@ TEST(FarCameras, NobodyWaitsForASceneThatIsGivenUpWhileItsPuddlesFill) {
   Preset preset = vase_in("meadow", true);
   std::atomic<bool> surrounds = false;
   std::atomic<int> asked = 0;
-  Watch watch{[&](std::string_view phase, std::size_t) { surrounds = phase == "surround"; }, [] {},
-              [&] { return surrounds && ++asked > 3; }};
+  ProgressSink watch{[&](std::string_view phase, std::size_t) { surrounds = phase == "surround"; }, [] {},
+                     [&] { return surrounds && ++asked > 3; }};
   Result<Scene> scene = build_scene(preset, watch);
   ASSERT_FALSE(scene) << "it was built to its end";
   EXPECT_EQ(scene.errors().front().what, "given up");

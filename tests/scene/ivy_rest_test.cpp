@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "core/files.h"
-#include "creeping/host.h"
 #include "creeping/meshes.h"
+#include "creeping/triangle_surface.h"
 #include "scene/scene.h"
 
 // Leaves and strands as they are emitted, against the bodies and the ground that they grow on.
@@ -60,13 +60,13 @@ struct Faults {
 };
 
 /// Metres that a place lies in the host or the ground.
-double depth_of(const Host& host, const GroundHeight& ground, const Vec3& p) {
+double depth_of(const TriangleSurface& host, const GroundHeight& ground, const Vec3& p) {
   Contact near = *host.closest(DVec3(p));
   return std::max(ground(p.x, p.z) - p.y,
                   (host.closed() ? host.inside(DVec3(p)) : near.inside) ? near.distance : 0.0);
 }
 
-Faults faults_of(const Specimen& ivy, const Host& host, const GroundHeight& ground) {
+Faults faults_of(const Specimen& ivy, const TriangleSurface& host, const GroundHeight& ground) {
   Faults f;
   std::vector<std::vector<Blade>> prototypes;
   for (const Prototype& p : ivy.model.prototypes) prototypes.push_back(blades_of(p.parts[0].surface));
@@ -130,7 +130,7 @@ Faults faults_of(const Scene& scene, const GroundHeight& ground) {
   for (std::size_t b = 0; b + 1 < scene.specimens.size(); ++b) {
     append(all, skin_of(scene.specimens[b].model));
   }
-  return faults_of(scene.specimens.back(), *Host::build(all), ground);
+  return faults_of(scene.specimens.back(), *TriangleSurface::build(all), ground);
 }
 
 const std::string kWall = R"({"kind": "wall", "width": 2.4, "height": 1.5,

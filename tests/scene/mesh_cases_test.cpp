@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/files.h"
-#include "creeping/host.h"
+#include "creeping/triangle_surface.h"
 #include "scene/scene.h"
 #include "winding.h"
 
@@ -16,7 +16,7 @@ namespace {
 
 struct GrownCase {
   Scene scene;
-  Host host;
+  TriangleSurface host;
   const Specimen& ivy() const { return scene.specimens.back(); }
 };
 
@@ -26,7 +26,7 @@ GrownCase grown_case(const std::string& preset, const std::vector<std::string>& 
   EXPECT_TRUE(read) << (read ? "" : read.errors()[0].text());
   Result<Scene> scene = build_scene(*read);
   EXPECT_TRUE(scene) << (scene ? "" : scene.errors()[0].text());
-  Host host = std::move(*Host::build(skin_of(scene->specimens[0].model)));
+  TriangleSurface host = std::move(*TriangleSurface::build(skin_of(scene->specimens[0].model)));
   return {std::move(*scene), std::move(host)};
 }
 

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "core/files.h"
-#include "creeping/host.h"
+#include "creeping/triangle_surface.h"
 #include "images/raster.h"
 #include "model/barred.h"
 #include "scene/scene.h"
@@ -127,9 +127,9 @@ TEST(Mesh, OtherMaterialsAreAnotherContent) {
 
 /// Metres from a place to the nearest of the parts of the garage that bear a name.
 double distance_to(const char* part, const Vec3& place) {
-  static std::map<std::string, Host> hosts;
+  static std::map<std::string, TriangleSurface> hosts;
   auto [host, fresh] = hosts.try_emplace(
-      part, std::move(*Host::build(skin_of(
+      part, std::move(*TriangleSurface::build(skin_of(
                 mesh_scene_with(std::string(R"("file": "garage.obj", "up": "z", "unit": "cm", )") +
                                 R"("parts": ["walls", "panes", "pipes"], "carries": [")" + part + "\"]")
                     .specimens[0]
@@ -158,7 +158,7 @@ TEST(Mesh, IvyKeepsToThePartsThatCarryIt) {
   // A tip may look over the rim of a pane before it stops.
   EXPECT_LT(beside, strands.size() / 100);
   // Outside of it, though its faces look inward.
-  Host host = std::move(*Host::build(skin_of(scene->specimens[0].model)));
+  TriangleSurface host = std::move(*TriangleSurface::build(skin_of(scene->specimens[0].model)));
   std::size_t inside = 0;
   for (const Vec3& p : strands.position) inside += host.inside(DVec3(p));
   EXPECT_LT(inside, strands.size() / 100);

@@ -113,7 +113,7 @@ TEST(Scene, TellsAsManyStepsAsItForetold) {
   for (const char* path : {"presets/ivy/column.json", "presets/thicket.json", "presets/garden/vases.json"}) {
     std::size_t estimate = 0;
     std::atomic<std::size_t> told = 0;
-    Watch watch{[&](std::string_view, std::size_t steps) { estimate += steps; }, [&] { ++told; }};
+    ProgressSink watch{[&](std::string_view, std::size_t steps) { estimate += steps; }, [&] { ++told; }};
     ASSERT_TRUE(build_scene(preset_at(path), watch)) << path;
     EXPECT_EQ(told, estimate) << path;
   }
@@ -130,7 +130,7 @@ TEST(Scene, FindsRoomOnBodiesWithoutMoreOrFewerStepsThanForetold) {
     ASSERT_TRUE(preset.ok()) << preset.errors()[0].text();
     std::size_t estimate = 0;
     std::atomic<std::size_t> told = 0;
-    Watch watch{[&](std::string_view, std::size_t steps) { estimate += steps; }, [&] { ++told; }};
+    ProgressSink watch{[&](std::string_view, std::size_t steps) { estimate += steps; }, [&] { ++told; }};
     Result<Scene> scene = build_scene(*preset, watch);
     ASSERT_TRUE(scene.ok()) << scene.errors()[0].text();
     EXPECT_EQ(told, estimate) << spacing;

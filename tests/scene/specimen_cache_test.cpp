@@ -10,7 +10,7 @@
 namespace frond {
 namespace {
 
-const Watch kUnwatched{[](auto, auto) {}, [] {}};
+const ProgressSink kUnwatched{[](auto, auto) {}, [] {}};
 
 Preset preset_with(const std::string& path, const std::vector<std::string>& sets = {}) {
   Result<Preset> preset = read_preset(*read_file(path), path, sets);
@@ -102,7 +102,8 @@ TEST(SpecimenCache, ACameraThatFitsBeyondTheLandGrowsNothingTwice) {
   auto steps_of = [](const Preset& of, Scene& scene) {
     std::atomic<int> steps = 0;
     bool growing = false;
-    Watch watch{[&](std::string_view phase, auto) { growing = phase == "grow"; }, [&] { steps += growing; }};
+    ProgressSink watch{[&](std::string_view phase, auto) { growing = phase == "grow"; },
+                       [&] { steps += growing; }};
     scene = *build_scene(of, watch);
     return steps.load();
   };
@@ -124,7 +125,7 @@ TEST(SpecimenCache, ForgetsWhatWasNotUsedForLong) {
 }
 
 TEST(SpecimenCache, ASceneThatIsGivenUpIsAnError) {
-  Watch gone{[](auto, auto) {}, [] {}, [] { return true; }};
+  ProgressSink gone{[](auto, auto) {}, [] {}, [] { return true; }};
   EXPECT_FALSE(build_scene(preset_with("presets/thicket.json"), gone).ok());
 }
 

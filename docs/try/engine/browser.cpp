@@ -1,5 +1,5 @@
+#include "core/cancellation.h"
 #include "core/parallel.h"
-#include "core/wanted.h"
 #include "geometry/obj.h"
 #include "images/read_picture.h"
 

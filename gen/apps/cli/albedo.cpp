@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 Result<Albedo> Albedo::of(Scene& scene, const fs::path& folder) {
   Albedo made(scene, folder);
-  Watch quiet{[](auto, auto) {}, [] {}};
+  ProgressSink quiet{[](auto, auto) {}, [] {}};
   Result<fs::path> root = home();
   if (!root) return root.errors();
   Result<std::string> layout = read_file(*root / "templates" / "frame.pov");
@@ -45,7 +45,7 @@ Errors Albedo::add_to(FramePasses& passes, int frame) const {
   if (Errors errors = write_scene(frame); !errors.empty()) return errors;
   std::string scene = (folder_ / (frame_name(frame) + ".pov")).string(),
               picture = (folder_ / (frame_name(frame) + ".png")).string();
-  Words said;
+  OutputCapture said;
   Command command;
   command.out = command.err = said.descriptor();
   command.environment = {fmt::format("FROND_THREADS={}", thread_count())};

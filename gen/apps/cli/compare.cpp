@@ -48,7 +48,7 @@ Result<fs::path> found(const std::string& path) {
 
 /// Its size and rate; an error where it is damaged.
 Errors describe(Side& side) {
-  Words said;
+  OutputCapture said;
   Command command;
   command.words = {"ffprobe",
                    "-v",
@@ -94,7 +94,7 @@ Errors make_comparison(const Side& a, const Side& b, const fs::path& out) {
   bool film = !a.picture();
   fs::path part = part_of(out);
   std::error_code error;
-  Words said;
+  OutputCapture said;
   Command command;
   command.folder = work.path();
   command.out = command.err = said.descriptor();

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const Watch kQuiet{[](auto, auto) {}, [] {}};
+const ProgressSink kQuiet{[](auto, auto) {}, [] {}};
 
 /// The files of povinc.
 Result<MacroFiles> read_macros() {

@@ -90,7 +90,7 @@ class FarmTask {
   int prepare(const std::string& name, std::vector<std::string> options);
   void bring_models();
   std::size_t render(const std::vector<Wanted>& all);
-  Command frame(const Wanted& wanted, int threads, const Words& said) const;
+  Command frame(const Wanted& wanted, int threads, const OutputCapture& said) const;
   bool finished(const Wanted& wanted, int code, const std::string& said);
   int join(int bands, std::array<int, 2> size);
 
@@ -128,7 +128,7 @@ int FarmTask::prepare(const std::string& name, std::vector<std::string> options)
   for (const fs::path& file : files_in(folder_ / "models"))
     if (!file.filename().string().starts_with('.'))
       fs::copy_file(file, local_.path() / "frames" / file.filename(), error);
-  Words said;
+  OutputCapture said;
   options.push_back(fmt::format("--threads={}", cpus_));
   int code = generate(options, said.descriptor());
   for (const std::string& line : lines_of(said.text())) say(line);
@@ -160,7 +160,7 @@ void FarmTask::bring_models() {
   }
 }
 
-Command FarmTask::frame(const Wanted& wanted, int threads, const Words& said) const {
+Command FarmTask::frame(const Wanted& wanted, int threads, const OutputCapture& said) const {
   Command command;
   command.words = {own_program().string(),           "frame", "frames/" + wanted.scene + ".pov",
                    "frames/" + wanted.name + ".png", size_,   "--"};
@@ -197,14 +197,14 @@ bool FarmTask::finished(const Wanted& wanted, int code, const std::string& said)
 std::size_t FarmTask::render(const std::vector<Wanted>& all) {
   struct Running {
     const Wanted* wanted = nullptr;
-    std::unique_ptr<Words> said;
+    std::unique_ptr<OutputCapture> said;
   };
   std::map<pid_t, Running> running;
   int threads = std::max(1, cpus_ / static_cast<int>(all.size()));
   std::size_t failed = 0, next = 0;
   while (!stopped_ && (next < all.size() || !running.empty())) {
     if (next < all.size() && static_cast<int>(running.size()) < cpus_) {
-      auto said = std::make_unique<Words>();
+      auto said = std::make_unique<OutputCapture>();
       Result<pid_t> process = start(frame(all[next], threads, *said));
       if (process)
         running[*process] = {&all[next], std::move(said)};

@@ -32,7 +32,7 @@ class FilmFrames {
  private:
   std::string name_;
   std::array<int, 2> size_;
-  Words said_;
+  OutputCapture said_;
   pid_t process_ = -1;
   int file_ = -1;
   Errors errors_;

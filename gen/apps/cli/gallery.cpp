@@ -183,7 +183,7 @@ Errors Gallery::example(const fs::path& scene, const std::string& name) const {
   if (!written) return written.errors();
   const ExampleScene& example = *written;
   std::string picture = name + ".png";
-  Words said;  // POV-Ray's own, which are many
+  OutputCapture said;  // POV-Ray's own, which are many
   Command render;
   render.words = {environment_or("FROND_POVRAY", "povray"),
                   "+I" + scene.string(),

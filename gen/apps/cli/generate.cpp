@@ -207,7 +207,7 @@ Result<CostEstimate> borne_cost(const Run& run, const Machine& machine) {
 }
 
 /// Shows how far each phase is.
-Watch watch_by(std::optional<Progress>& shown, bool quiet) {
+ProgressSink watch_by(std::optional<Progress>& shown, bool quiet) {
   return {.begin =
               [&shown, quiet](std::string_view phase, std::size_t steps) {
                 shown.emplace(std::string(phase), static_cast<int>(steps), quiet);
@@ -237,7 +237,7 @@ Errors write_film(const Run& run, const Scene& scene, const std::string& layout,
   std::set<std::string> needed;
   for (const Drawing& drawing : scene.drawings) needed.insert(drawing.names.begin(), drawing.names.end());
   std::optional<Progress> shown;
-  Watch watch = watch_by(shown, run.arguments.quiet);
+  ProgressSink watch = watch_by(shown, run.arguments.quiet);
   now_doing("drawing bark and leaves");
   if (Errors errors = write_drawings(scene, folder, watch); !errors.empty()) return errors;
   now_doing("growing the models of what is sown");

@@ -75,7 +75,7 @@ void measure_machine(const std::string& povray) {
   command.words = {povray, "+Iscene.pov", "+Oscene.png", "+W160", "+H90", "+A0.1",
                    "+AM2", "+R3",         "-J",          "-D",    "+WT1"};
   command.folder = folder;
-  Words said;
+  OutputCapture said;
   command.out = command.err = said.descriptor();
   double before = seconds_of_others();
   bool drawn = !write_new(command.folder / "scene.pov", kSmallScene) && run(command).ok();

@@ -24,12 +24,12 @@ class Listener {
  public:
   explicit Listener(py::object told) : told_(std::move(told)) {}
 
-  Watch watch() {
+  ProgressSink watch() {
     if (told_.is_none()) return {[](auto, auto) {}, [] {}};
     return {
         .begin = [this](std::string_view phase, std::size_t steps) { tell(std::string(phase), 0, steps); },
         .step = [this] { tell({}, 1, 0); },
-        .given_up = [this] { return failed_.load(); }};
+        .cancelled = [this] { return failed_.load(); }};
   }
   /// Throws what the function has thrown.
   void rethrow() {
@@ -59,7 +59,7 @@ class Listener {
 
 GrownPtr grow(const std::shared_ptr<Preset>& preset, const py::object& progress) {
   Listener listener(progress);
-  Watch watch = listener.watch();
+  ProgressSink watch = listener.watch();
   std::optional<Result<Scene>> scene;
   {
     py::gil_scoped_release others;

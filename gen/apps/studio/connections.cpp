@@ -103,7 +103,7 @@ bool Connections::serve(int ends) {
       close_longest();
     }
   {
-    std::lock_guard lock(in_work_);
+    std::lock_guard lock(mutex_);
     ending_ = true;
   }
   if (leaves) leaves();
@@ -172,7 +172,7 @@ void Connections::take_back() {
   (void)!::read(wake_, &count, sizeof count);
   std::vector<Connection> back;
   {
-    std::lock_guard lock(in_work_);
+    std::lock_guard lock(mutex_);
     back.swap(served_);
   }
   for (Connection& connection : back) {
@@ -267,7 +267,7 @@ bool Connections::hand_over(Connection& connection) {
   }
   if (connection.come.size() < connection.whole) return false;
   Crew& crew = connection.known ? known_ : unknown_;
-  std::lock_guard lock(in_work_);
+  std::lock_guard lock(mutex_);
   if (!connection.known && crew.waiting.size() >= kMostUnknown)
     return leave(connection, "503 Service Unavailable", "too many ask"), false;
   crew.waiting.push_back(std::move(connection));
@@ -279,7 +279,7 @@ void Connections::work(Crew& crew) {
   for (;;) {
     Connection next;
     {
-      std::unique_lock lock(in_work_);
+      std::unique_lock lock(mutex_);
       crew.some.wait(lock, [&] { return ending_ || !crew.waiting.empty(); });
       if (ending_) return;
       next = std::move(crew.waiting.front());
@@ -292,7 +292,7 @@ void Connections::work(Crew& crew) {
 void Connections::answer(Connection connection) {
   Clock::time_point end = connection.known ? Clock::time_point::max() : Clock::now() + limits.served;
   auto others_wait = [this, &crew = connection.known ? known_ : unknown_] {
-    std::lock_guard lock(in_work_);
+    std::lock_guard lock(mutex_);
     return !crew.waiting.empty();
   };
   Wire wire(connection.socket, std::move(connection.come), {limits.patience, limits.hurried, end},
@@ -320,7 +320,7 @@ void Connections::answer(Connection connection) {
 void Connections::give_back(Connection connection) {
   int socket = connection.socket;
   try {
-    std::lock_guard lock(in_work_);
+    std::lock_guard lock(mutex_);
     served_.push_back(std::move(connection));
   } catch (const std::exception&) {
     ::close(socket);

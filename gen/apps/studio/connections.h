@@ -105,7 +105,7 @@ class Connections : public httplib::Server {
   bool asked_to_end_ = false;
   std::vector<char> part_;  // that is read at a time
 
-  std::mutex in_work_;  // guards all below
+  std::mutex mutex_;  // guards all below
   bool ending_ = false;
   Crew known_, unknown_;
   std::vector<Connection> served_;  // to wait again

@@ -103,7 +103,7 @@ struct Films::Job {
   Json told;  // of the preset: title, seed, fps and how many frames are to be rendered
   std::vector<std::string> rough_sets;
 
-  // Guarded by Films::in_work_.
+  // Guarded by Films::mutex_.
   std::string state = "paused", phase, message;
   bool stop = false;
   pid_t process = 0;
@@ -192,7 +192,7 @@ Result<std::string> Films::begin(const Doc& doc, const FilmOrder& order) {
   Json kept{{"order", order_json(order)}, {"told", job->told}, {"rough", job->rough_sets}};
   for (const auto& [file, content] : {std::pair(kOrder, kept.dump(2)), std::pair(kPreset, *text)})
     if (Result<bool> written = write_file(*folder / file, content); !written) return written.errors();
-  std::lock_guard lock(in_work_);
+  std::lock_guard lock(mutex_);
   jobs_.push_front(job);
   start(job);
   return job->id;
@@ -203,7 +203,7 @@ std::shared_ptr<Films::Job> Films::find(const std::string& id) {
   return found == jobs_.end() ? nullptr : *found;
 }
 
-/// With in_work_ locked.
+/// With mutex_ locked.
 void Films::start(const std::shared_ptr<Job>& job) {
   if (job->thread.joinable()) job->thread.join();  // it has ended
   job->state = "waiting", job->phase.clear(), job->message.clear(), job->stop = false;
@@ -219,7 +219,7 @@ void Films::work(Job& job) {
   try {
     make(job);
   } catch (...) {
-    std::lock_guard lock(in_work_);
+    std::lock_guard lock(mutex_);
     if (job.state == "rendering") busy_ = false;
     job.state = "failed", job.message = reason_of(std::current_exception());
     turn_.notify_all();
@@ -233,7 +233,7 @@ void Films::make(Job& job) {
     for (const std::string& set : sets) all.insert(all.end(), {"--set", set});
     return all;
   };
-  std::unique_lock lock(in_work_);
+  std::unique_lock lock(mutex_);
   turn_.wait(lock, [&] { return !busy_ || job.stop; });
   int code = kWell;
   if (!job.stop) {
@@ -281,14 +281,14 @@ int Films::run(Job& job, const std::vector<std::string>& words) {
   Result<pid_t> process = frond::start(command);
   if (log >= 0) ::close(log);
   {
-    std::lock_guard lock(in_work_);
+    std::lock_guard lock(mutex_);
     if (!process) return job.message = process.errors().front().text(), 1;
     job.process = *process;
     if (job.stop) ::kill(*process, SIGTERM);
   }
   siginfo_t ended{};
   ::waitid(P_PID, static_cast<id_t>(*process), &ended, WEXITED | WNOWAIT);
-  std::lock_guard lock(in_work_);  // nobody signals a process that is not there any more
+  std::lock_guard lock(mutex_);  // nobody signals a process that is not there any more
   job.process = 0;
   return wait_for(*process);
 }
@@ -326,20 +326,20 @@ Json Films::told(const Job& job) const {
 }
 
 std::optional<Json> Films::state(const std::string& id) {
-  std::lock_guard lock(in_work_);
+  std::lock_guard lock(mutex_);
   std::shared_ptr<Job> job = find(id);
   return job ? std::optional(told(*job)) : std::nullopt;
 }
 
 Json Films::list() {
-  std::lock_guard lock(in_work_);
+  std::lock_guard lock(mutex_);
   Json all = Json::array();
   for (const auto& job : jobs_) all.push_back(told(*job));
   return all;
 }
 
 bool Films::pause(const std::string& id) {
-  std::lock_guard lock(in_work_);
+  std::lock_guard lock(mutex_);
   std::shared_ptr<Job> job = find(id);
   if (!job) return false;
   if (job->at_work()) job->stop = true;
@@ -355,7 +355,7 @@ bool Films::pause(const std::string& id) {
 }
 
 bool Films::resume(const std::string& id) {
-  std::lock_guard lock(in_work_);
+  std::lock_guard lock(mutex_);
   std::shared_ptr<Job> job = find(id);
   if (job && (job->state == "paused" || job->state == "failed")) start(job);
   return job != nullptr;
@@ -365,7 +365,7 @@ bool Films::remove(const std::string& id) {
   if (!pause(id)) return false;
   std::shared_ptr<Job> job;
   {
-    std::lock_guard lock(in_work_);
+    std::lock_guard lock(mutex_);
     job = find(id);
     if (!job) return false;
     jobs_.remove(job);
@@ -377,7 +377,7 @@ bool Films::remove(const std::string& id) {
 }
 
 std::optional<fs::path> Films::file(const std::string& id, const std::string& name) {
-  std::lock_guard lock(in_work_);
+  std::lock_guard lock(mutex_);
   std::shared_ptr<Job> job = find(id);
   if (!job) return std::nullopt;
   std::vector<fs::path> places;

@@ -9,13 +9,13 @@ namespace frond {
 namespace fs = std::filesystem;
 
 void MadeFiles::add(const std::string& name, const fs::path& of, bool fresh) {
-  std::lock_guard lock(in_work_);
+  std::lock_guard lock(mutex_);
   const std::size_t known = std::erase_if(made_, [&](const Made& made) { return made.name == name; });
   if (fresh || known > 0) made_.push_back({name, of, {}});
 }
 
 void MadeFiles::saved(const fs::path& of, const std::string& text) {
-  std::lock_guard lock(in_work_);
+  std::lock_guard lock(mutex_);
   std::erase_if(made_, [&](const Made& made) { return text.find(made.name) != text.npos; });
   for (Made& made : made_)
     if (made.of == of && made.held.empty()) remove(made);
@@ -40,7 +40,7 @@ void MadeFiles::remove(Made& made) const {
 }
 
 void MadeFiles::restore(const std::string& text) {
-  std::lock_guard lock(in_work_);
+  std::lock_guard lock(mutex_);
   for (Made& made : made_) {
     if (made.held.empty() || text.find(made.name) == text.npos) continue;
     for (const auto& [file, content] : made.held) {

@@ -33,7 +33,7 @@ class MadeFiles {
   void remove(Made& made) const;
 
   std::filesystem::path folder_;
-  std::mutex in_work_;
+  std::mutex mutex_;
   std::vector<Made> made_;
 };
 

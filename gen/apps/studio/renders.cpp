@@ -12,11 +12,11 @@
 #include <iterator>
 #include <system_error>
 
+#include "core/cancellation.h"
 #include "core/files.h"
 #include "core/frame_name.h"
 #include "core/parallel.h"
 #include "core/text.h"
-#include "core/wanted.h"
 #include "film/film_files.h"
 #include "jobs/jobs.h"
 #include "render/process.h"
@@ -96,7 +96,7 @@ struct Renders::Job {
   bool lens = false;
   fs::path folder;
 
-  // Guarded by Renders::in_work_.
+  // Guarded by Renders::mutex_.
   std::string state = "waiting", message;
   double progress = 0;
   fs::path picture;
@@ -118,7 +118,7 @@ Renders::Renders(const Documents& documents, Scenes& scenes, fs::path home)
 
 void Renders::end() {
   {
-    std::lock_guard lock(in_work_);
+    std::lock_guard lock(mutex_);
     for (auto& job : jobs_) job->cancelled = true;
   }
   turn_.notify_all();
@@ -128,7 +128,7 @@ Renders::~Renders() {
   end();
   std::vector<std::shared_ptr<Job>> all;
   {
-    std::lock_guard lock(in_work_);
+    std::lock_guard lock(mutex_);
     all.assign(jobs_.begin(), jobs_.end());
   }
   for (auto& job : all)
@@ -151,7 +151,7 @@ Result<std::string> Renders::begin(Doc doc, double time, std::array<int, 2> size
   job->preset = std::move(*preset);
   job->doc = std::move(doc);
   job->time = time, job->size = size, job->quality = quality;
-  std::lock_guard lock(in_work_);
+  std::lock_guard lock(mutex_);
   job->id = std::to_string(++count_);
   job->folder = folder_ / job->id;
   jobs_.push_front(job);
@@ -178,7 +178,7 @@ std::shared_ptr<Renders::Job> Renders::find(const std::string& id) {
 
 void Renders::work(Job& job) {
   {
-    std::unique_lock lock(in_work_);
+    std::unique_lock lock(mutex_);
     turn_.wait(lock, [&] { return !busy_ || job.cancelled; });
     if (!job.cancelled) busy_ = true, job.state = "growing", job.began = Clock::now();
   }
@@ -191,11 +191,11 @@ void Renders::work(Job& job) {
       errors = {Error{"", reason_of(std::current_exception())}};
     }
     clear(job);
-    std::lock_guard lock(in_work_);
+    std::lock_guard lock(mutex_);
     busy_ = false;
     job.seconds = std::chrono::duration<double>(Clock::now() - job.began).count();
   }
-  std::lock_guard lock(in_work_);
+  std::lock_guard lock(mutex_);
   job.state = job.cancelled ? "cancelled" : errors.empty() ? "done" : "failed";
   if (!errors.empty() && !job.cancelled) job.message = errors.front().text();
   turn_.notify_all();
@@ -204,14 +204,14 @@ void Renders::work(Job& job) {
 /// The picture, first a small one. Of all that it was made from only the preset's text stays.
 Errors Renders::make(Job& job) {
   auto set = [&](auto change) {
-    std::lock_guard lock(in_work_);
+    std::lock_guard lock(mutex_);
     change();
   };
   Result<bool> kept = write_file(job.folder / kText, job.doc.text);
   Errors errors = kept ? Errors{} : kept.errors();
   try {
     if (kept) while_wanted([&] { return job.cancelled.load(); }, [&] { errors = write(job); });
-  } catch (const GivenUp&) {
+  } catch (const Cancelled&) {
   }
   if (kept) set([&] { job.doc.text = {}; });
   scenes_.tidy();
@@ -237,7 +237,7 @@ void Renders::clear(Job& job) {
   fs::path picture = job.folder / kPicture;
   std::error_code error;
   {
-    std::lock_guard lock(in_work_);
+    std::lock_guard lock(mutex_);
     job.preview = false, job.preset.reset();
     job.picture = fs::exists(picture, error) ? picture : fs::path();
   }
@@ -250,8 +250,8 @@ Errors Renders::write(Job& job) {
   job.preset.reset();
   Result<std::string> layout = read_file(home_ / "templates/frame.pov");
   if (!layout) return layout.errors();
-  Watch watch{[](auto, auto) {}, [] {}, [&] { return job.cancelled.load(); }};
-  auto grown = scenes_.scene(job.doc, std::move(preset), watch.given_up);
+  ProgressSink watch{[](auto, auto) {}, [] {}, [&] { return job.cancelled.load(); }};
+  auto grown = scenes_.scene(job.doc, std::move(preset), watch.cancelled);
   if (!grown) return grown.errors();
   const Scene& scene = **grown;
   fs::path frames = job.folder / "frames";
@@ -301,7 +301,7 @@ Errors Renders::render(Job& job, std::array<int, 2> size, std::string_view flags
     fs::path notes = notes_of(job.folder / "frames", name);
     double share = traced(notes, size);
     {
-      std::lock_guard lock(in_work_);
+      std::lock_guard lock(mutex_);
       job.progress = std::max(job.progress, share);  // the notes are gone before the picture is there
     }
     if (job.preview && share > 0 && Clock::now() >= show) {
@@ -324,12 +324,12 @@ void Renders::show_traced(Job& job, const fs::path& notes, std::array<int, 2> si
   Result<std::string> png =
       traced_png(notes, frames / (frame_name(job.frame) + ".pov"), size, below ? &*below : nullptr);
   if (!png || !write_file(file, *png)) return;
-  std::lock_guard lock(in_work_);
+  std::lock_guard lock(mutex_);
   job.picture = file;
 }
 
 std::optional<Json> Renders::state(const std::string& id) {
-  std::lock_guard lock(in_work_);
+  std::lock_guard lock(mutex_);
   std::shared_ptr<Job> job = find(id);
   if (!job) return std::nullopt;
   auto since = [](Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); };
@@ -353,7 +353,7 @@ std::optional<Json> Renders::state(const std::string& id) {
 Json Renders::list() {
   std::vector<std::string> ids;
   {
-    std::lock_guard lock(in_work_);
+    std::lock_guard lock(mutex_);
     for (const auto& job : jobs_) ids.push_back(job->id);
   }
   Json list = Json::array();
@@ -363,7 +363,7 @@ Json Renders::list() {
 }
 
 std::optional<Doc> Renders::doc(const std::string& id) {
-  std::lock_guard lock(in_work_);
+  std::lock_guard lock(mutex_);
   std::shared_ptr<Job> job = find(id);
   if (!job) return std::nullopt;
   Result<std::string> text = read_file(job->folder / kText);
@@ -373,7 +373,7 @@ std::optional<Doc> Renders::doc(const std::string& id) {
 Result<std::string> Renders::picture(const std::string& id) {
   fs::path file;
   {
-    std::lock_guard lock(in_work_);
+    std::lock_guard lock(mutex_);
     if (std::shared_ptr<Job> job = find(id)) file = job->picture;
   }
   if (file.empty()) return Error{id, "there is no picture yet"};
@@ -381,7 +381,7 @@ Result<std::string> Renders::picture(const std::string& id) {
 }
 
 bool Renders::cancel(const std::string& id) {
-  std::lock_guard lock(in_work_);
+  std::lock_guard lock(mutex_);
   std::shared_ptr<Job> job = find(id);
   if (job) job->cancelled = true;
   turn_.notify_all();

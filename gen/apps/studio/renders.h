@@ -47,7 +47,7 @@ class Renders {
   const Documents& documents_;
   Scenes& scenes_;
   std::filesystem::path home_, folder_;
-  std::mutex in_work_;            // guards the jobs
+  std::mutex mutex_;              // guards the jobs
   std::condition_variable turn_;  // one renders at a time
   bool busy_ = false;
   std::list<std::shared_ptr<Job>> jobs_;

@@ -7,9 +7,9 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/cancellation.h"
 #include "core/content.h"
 #include "core/machine.h"
-#include "core/wanted.h"
 #include "estimate/estimate_cost.h"
 #include "export/materials.h"
 #include "grammar/forecast.h"
@@ -108,7 +108,7 @@ Scenes::Hurry Scenes::hurry_of(const Json& question) {
 }
 
 std::shared_ptr<Scenes::Session> Scenes::session(const std::string& name) {
-  std::lock_guard lock(in_work_);
+  std::lock_guard lock(mutex_);
   if (sessions_.size() >= kSessions && !sessions_.contains(name)) sessions_.clear();
   auto& session = sessions_[name];
   if (!session) session = std::make_shared<Session>();
@@ -147,7 +147,7 @@ Scenes::Bearable Scenes::bearable(const Json& question) {
 Result<Json> Scenes::estimate(const Preset& preset, const EntryFilter& only, const Bearable& most) {
   Preset fresh = preset;
   {
-    std::lock_guard lock(in_work_);
+    std::lock_guard lock(mutex_);
     for (std::size_t i = 0; i < fresh.organisms.size(); ++i)
       if ((only && !only->contains(i)) || known_.contains(name_of(preset, i)))
         fresh.organisms[i].count = 0, fresh.organisms[i].sown.reset();
@@ -162,7 +162,7 @@ Result<Json> Scenes::estimate(const Preset& preset, const EntryFilter& only, con
 }
 
 Result<std::shared_ptr<const Scenes::Built>> Scenes::build(const std::string& key, Preset preset,
-                                                           const Watch& watch, const Hurry& hurry) {
+                                                           const ProgressSink& watch, const Hurry& hurry) {
   bool coarse = hurry.share < 1 && make_coarse(preset, *hurry.only, hurry.share);
   Result<Scene> scene = build_scene(preset, watch, &cache_, hurry.only);
   if (!scene) return scene.errors();
@@ -177,7 +177,7 @@ Result<std::shared_ptr<const Scenes::Built>> Scenes::build(const std::string& ke
   add_tiles(built->scene);
   if (coarse || !built->scene.missing.empty()) return built;
   built_.put(key, built, built->scene.bytes() + bytes_of(built->preset));
-  std::lock_guard lock(in_work_);
+  std::lock_guard lock(mutex_);
   if (known_.size() > kKnown) known_.clear();
   for (std::size_t i = 0; i < built->preset.organisms.size(); ++i) known_.insert(name_of(built->preset, i));
   return built;
@@ -200,13 +200,13 @@ void Scenes::add_tiles(const Scene& scene) {
 }
 
 Result<std::shared_ptr<const Scene>> Scenes::scene(const Doc& doc, Preset preset,
-                                                   const std::function<bool()>& given_up) {
+                                                   const std::function<bool()>& cancelled) {
   std::string key = key_of(doc, preset);
   std::shared_ptr<const Built> built = find(key);
   if (!built) {
     // What the machine has no memory for is refused before it is grown.
     if (Result<Json> told = estimate(preset, {}, {}); !told) return told.errors();
-    auto made = build(key, std::move(preset), {[](auto, auto) {}, [] {}, given_up}, {});
+    auto made = build(key, std::move(preset), {[](auto, auto) {}, [] {}, cancelled}, {});
     if (!made) return made.errors();
     built = std::move(*made);
   }
@@ -229,8 +229,8 @@ Result<std::string> Scenes::look(const std::string& file) {
   Result<CostEstimate> estimate = estimate_cost(*preset, {1, 1});
   if (!estimate) return estimate.errors();
   if (estimate->growth_seconds > kLongestLook) return Error{file, "takes long to grow"};
-  auto given_up = [this, views = views_.load()] { return ending_ || views_ != views; };
-  Result<Scene> scene = build_scene(*preset, {[](auto, auto) {}, [] {}, given_up});
+  auto cancelled = [this, views = views_.load()] { return ending_ || views_ != views; };
+  Result<Scene> scene = build_scene(*preset, {[](auto, auto) {}, [] {}, cancelled});
   Result<std::string> png = scene ? png_text(quick_look(*scene, film.time(film.frames))) : scene.errors();
   if (png) pictures_.put(name, std::make_shared<const std::string>(*png), png->size());
   return png;
@@ -259,9 +259,9 @@ Answer Scenes::view(const Doc& doc, const Json& question, const std::string& nam
   std::shared_ptr<Session> tab = session(name);
   tab->ask(number);
   ++views_;
-  auto given_up = [&] { return ending_ || tab->newest > number; };
+  auto cancelled = [&] { return ending_ || tab->newest > number; };
   std::lock_guard lock(tab->in_work);
-  if (given_up()) return stale();
+  if (cancelled()) return stale();
 
   auto start = Clock::now();
   Result<Preset> preset = documents_.preset(doc);
@@ -278,10 +278,10 @@ Answer Scenes::view(const Doc& doc, const Json& question, const std::string& nam
       if (!told) return wrong(told.errors(), notes);
       if (!told->is_null()) return {202, {{"estimate", *told}}, {}};
     }
-    Watch watch{[&](auto, std::size_t steps) { tab->done = 0, tab->of = steps; }, [&] { ++tab->done; },
-                given_up};
+    ProgressSink watch{[&](auto, std::size_t steps) { tab->done = 0, tab->of = steps; }, [&] { ++tab->done; },
+                       cancelled};
     auto made = build(key, std::move(*preset), watch, hurry);
-    if (given_up()) return stale();
+    if (cancelled()) return stale();
     if (!made) return wrong(made.errors(), notes);
     built = *made;
     grown = built->scene.grown;
@@ -294,13 +294,13 @@ Answer Scenes::view(const Doc& doc, const Json& question, const std::string& nam
   for (const std::string& note : built->scene.notes) header["notes"].push_back(note);
   Result<std::string> packet = Error{"", "given up"};
   try {
-    while_wanted(given_up, [&] {
+    while_wanted(cancelled, [&] {
       packet = view_of(built->scene, built->preset, request_of(question), models_, std::move(header));
     });
-  } catch (const GivenUp&) {
+  } catch (const Cancelled&) {
   }
   if (packet) tidy_at_times(packet->size() + made_bytes);
-  if (given_up()) return stale();
+  if (cancelled()) return stale();
   if (!packet) return wrong(packet.errors(), notes);
   return {200, {}, std::move(*packet)};
 }

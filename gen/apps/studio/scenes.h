@@ -31,7 +31,7 @@ class Scenes {
 
   /// The scene of a preset that was read from that, grown with what is kept.
   Result<std::shared_ptr<const Scene>> scene(const Doc& doc, Preset preset,
-                                             const std::function<bool()>& given_up);
+                                             const std::function<bool()>& cancelled);
 
   /// The branch that a ray meets in a scene, see studio/pick.h.
   Answer pick(const Doc& doc, const Json& question);
@@ -94,7 +94,7 @@ class Scenes {
   void tidy_at_times(std::size_t sent);
   std::shared_ptr<Session> session(const std::string& name);
   std::shared_ptr<const Built> find(const std::string& key);
-  Result<std::shared_ptr<const Built>> build(const std::string& key, Preset preset, const Watch& watch,
+  Result<std::shared_ptr<const Built>> build(const std::string& key, Preset preset, const ProgressSink& watch,
                                              const Hurry& hurry);
   /// What is not to be grown unasked: seconds until it is there, and nodes, which are sent and drawn then.
   struct Bearable {
@@ -128,7 +128,7 @@ class Scenes {
   std::mutex looking_;                               // one at a time
   std::atomic<std::uint64_t> views_{0};              // scenes that were asked for
   std::atomic<bool> ending_{false};
-  std::mutex in_work_;
+  std::mutex mutex_;
   std::map<std::string, std::shared_ptr<Session>> sessions_;
   std::set<std::string> known_;  // organisms that were grown once
 };

@@ -177,12 +177,12 @@ void add_ground(const Scene& scene, const Daylight& light, std::vector<DrawnPart
     for (std::size_t k = 0; k < places.size(); ++k)
       if (!places[k].empty()) add(*patches.shapes[k], *patches.color, places[k]);
   }
-  std::vector<Strewn> all = scene.ground->strewn();
+  std::vector<ScatteredInstances> all = scene.ground->strewn();
   if (scene.far) std::ranges::move(strewn_far(*scene.far), std::back_inserter(all));
-  for (const Strewn& strewn : all) {
+  for (const ScatteredInstances& strewn : all) {
     if (strewn.at.empty()) continue;
     std::vector<float> places;
-    for (const Strewn::At& a : strewn.at)
+    for (const ScatteredInstances::At& a : strewn.at)
       places.insert(places.end(), {a.place.x, a.place.y, a.place.z, a.turn.x, a.turn.y, a.turn.z, a.turn.w,
                                    a.size.x, a.size.y, a.size.z});
     add(*strewn.shape, strewn.color, places);

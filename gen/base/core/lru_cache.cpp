@@ -10,12 +10,12 @@ constexpr std::size_t kBookkeeping = 400;
 }  // namespace
 
 int CacheBudget::add_cache() {
-  std::lock_guard lock(in_work_);
+  std::lock_guard lock(mutex_);
   return caches_++;
 }
 
 CacheBudget::Thing CacheBudget::find(const Name& name) {
-  std::lock_guard lock(in_work_);
+  std::lock_guard lock(mutex_);
   auto found = places_.find(name);
   if (found == places_.end()) return nullptr;
   kept_.splice(kept_.begin(), kept_, found->second);
@@ -24,7 +24,7 @@ CacheBudget::Thing CacheBudget::find(const Name& name) {
 
 void CacheBudget::put(Name name, Thing thing, std::size_t bytes) {
   std::list<Kept> gone;
-  std::lock_guard lock(in_work_);
+  std::lock_guard lock(mutex_);
   if (places_.contains(name)) return;
   kept_.push_front({name, std::move(thing), bytes + kBookkeeping});
   places_.emplace(std::move(name), kept_.begin());
@@ -33,12 +33,12 @@ void CacheBudget::put(Name name, Thing thing, std::size_t bytes) {
 }
 
 std::size_t CacheBudget::taken() const {
-  std::lock_guard lock(in_work_);
+  std::lock_guard lock(mutex_);
   return taken_;
 }
 
 std::size_t CacheBudget::given_up() const {
-  std::lock_guard lock(in_work_);
+  std::lock_guard lock(mutex_);
   return given_up_;
 }
 

@@ -41,7 +41,7 @@ class CacheBudget {
 
   std::size_t room_, taken_ = 0, given_up_ = 0;
   int caches_ = 0;
-  mutable std::mutex in_work_;
+  mutable std::mutex mutex_;
   std::list<Kept> kept_;  // most recently used first
   std::map<Name, Place> places_;
 };

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "core/wanted.h"
+#include "core/cancellation.h"
 
 namespace frond {
 
@@ -42,14 +42,14 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
   });
 }
 
-void while_wanted(const std::function<bool()>& given_up, const std::function<void()>& body) {
-  if (!given_up) return body();
-  Asking asking(&given_up);
+void while_wanted(const std::function<bool()>& cancelled, const std::function<void()>& body) {
+  if (!cancelled) return body();
+  Asking asking(&cancelled);
   body();
 }
 
 void stay_wanted() {
-  if (asks && (*asks)()) throw GivenUp();
+  if (asks && (*asks)()) throw Cancelled();
 }
 
 void isolated(const std::function<void()>& body) {

@@ -35,7 +35,7 @@ struct BlockBox {
   }
 };
 
-BlockBox box_of(const Cone& cone, float margin, float voxel) {
+BlockBox box_of(const RoundCone& cone, float margin, float voxel) {
   BlockBox box;
   Vec3 to = cone.to();
   float side = voxel * kBlockSide, end = cone.end_radius();
@@ -49,7 +49,7 @@ BlockBox box_of(const Cone& cone, float margin, float voxel) {
 
 /// Calls visit(key) for each block that comes nearer to a cone than `band`.
 template <class Visit>
-void visit_near(const Cone& cone, float voxel, float band, const Visit& visit) {
+void visit_near(const RoundCone& cone, float voxel, float band, const Visit& visit) {
   // A voxel more: places between the voxels are asked for, too.
   float margin = band + cube_reach(kBlockSide, voxel) + voxel;
   BlockBox box = box_of(cone, band + voxel, voxel);
@@ -62,7 +62,7 @@ void visit_near(const Cone& cone, float voxel, float band, const Visit& visit) {
 }
 
 /// Notes a fork in the blocks in which it makes a difference.
-void visit_fork(const Boughs& boughs, std::uint32_t f, float voxel, float band,
+void visit_fork(const BranchVolume& boughs, std::uint32_t f, float voxel, float band,
                 std::vector<std::uint64_t>& keys, const auto& visit) {
   const Forks& forks = boughs.forks;
   const Forks::Fork& fork = forks.forks[f];
@@ -134,9 +134,9 @@ Cell voxel_at(Vec3 place, float size) {
   return {near(place.x), near(place.y), near(place.z)};
 }
 
-bool fits_grid(const Boughs& boughs, float voxel) {
+bool fits_grid(const BranchVolume& boughs, float voxel) {
   float most = voxel * kBlockSide * static_cast<float>(kMiddle - 16);
-  return std::all_of(boughs.cones.begin(), boughs.cones.end(), [&](const Cone& cone) {
+  return std::all_of(boughs.cones.begin(), boughs.cones.end(), [&](const RoundCone& cone) {
     Vec3 to = cone.to();
     float reach = std::max(cone.radius, cone.end_radius());
     for (int a = 0; a < 3; ++a)
@@ -145,7 +145,7 @@ bool fits_grid(const Boughs& boughs, float voxel) {
   });
 }
 
-Blocks gather_blocks(const Boughs& boughs, float voxel, float band) {
+Blocks gather_blocks(const BranchVolume& boughs, float voxel, float band) {
   Blocks blocks{voxel, band, {}};
   constexpr std::size_t kLists = std::tuple_size_v<decltype(blocks.lists)>;
   std::size_t cones = boughs.cones.size(), parts = (cones + boughs.forks.size()) / kPartCones + 1;
@@ -183,7 +183,7 @@ FoundBlock find_block(const Blocks& blocks, Cell voxel) {
   return {&list, &*at};
 }
 
-void near_block(const Boughs& boughs, const Blocks& blocks, const FoundBlock& found, Nearby& near) {
+void near_block(const BranchVolume& boughs, const Blocks& blocks, const FoundBlock& found, Nearby& near) {
   std::span<const std::uint32_t> items(found.list->item);
   const VoxelBlock& block = *found.block;
   auto cones = items.subspan(block.first, block.forks - block.first);
@@ -195,20 +195,20 @@ void near_block(const Boughs& boughs, const Blocks& blocks, const FoundBlock& fo
     choose_fork(boughs, boughs.forks, f, middle, half, blocks.band, &near.forks);
 }
 
-double count_blocks(const Boughs& boughs, double voxel, double band_voxels) {
+double count_blocks(const BranchVolume& boughs, double voxel, double band_voxels) {
   // Where there are too many to be looked at they are counted on a coarser grid; of a surface there are four
   // times as many on one twice as fine.
   double looks = 0, factor = 1;
   for (;; voxel *= 2, factor *= 4) {
     looks = 0;
     double band = band_voxels * voxel;
-    for (const Cone& cone : boughs.cones)
+    for (const RoundCone& cone : boughs.cones)
       looks += box_of(cone, static_cast<float>(band), static_cast<float>(voxel)).count();
     if (looks <= std::max(kMostLooks, 64.0 * static_cast<double>(boughs.cones.size()))) break;
   }
   auto size = static_cast<float>(voxel);
   std::vector<std::uint64_t> keys;
-  for (const Cone& cone : boughs.cones)
+  for (const RoundCone& cone : boughs.cones)
     visit_near(cone, size, static_cast<float>(band_voxels) * size, [&](std::uint64_t key) {
       if (Seed::mix(key) % kCounted == 0) keys.push_back(key);
     });

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "field/boughs.h"
+#include "field/branch_volume.h"
 
 namespace frond {
 
@@ -48,10 +48,10 @@ Vec3 voxel_middle(Cell voxel, float size);
 Cell voxel_at(Vec3 place, float size);
 
 /// Whether all boughs fit on a grid of such voxels: within 8 million voxels of the origin.
-bool fits_grid(const Boughs& boughs, float voxel);
+bool fits_grid(const BranchVolume& boughs, float voxel);
 
 /// Sorts cones and forks into the blocks near them.
-Blocks gather_blocks(const Boughs& boughs, float voxel, float band);
+Blocks gather_blocks(const BranchVolume& boughs, float voxel, float band);
 
 /// The block that contains a voxel and its list, or nulls.
 struct FoundBlock {
@@ -61,7 +61,7 @@ struct FoundBlock {
 FoundBlock find_block(const Blocks& blocks, Cell voxel);
 
 /// The items of a block, its forks reduced to what matters in it and within a voxel round it.
-void near_block(const Boughs& boughs, const Blocks& blocks, const FoundBlock& found, Nearby& near);
+void near_block(const BranchVolume& boughs, const Blocks& blocks, const FoundBlock& found, Nearby& near);
 
 /// The middle of a cube of `side` voxels, and the largest distance of their middles from it.
 Vec3 cube_middle(Cell first, int side, float voxel);
@@ -76,10 +76,10 @@ enum class Filling {
 };
 
 /// The distance of each voxel of a block, z fastest, clamped to -band..band.
-Filling fill_block(const Boughs& boughs, const Blocks& blocks, const FoundBlock& found,
+Filling fill_block(const BranchVolume& boughs, const Blocks& blocks, const FoundBlock& found,
                    std::span<float, kBlockVoxels> distance);
 
 /// Estimated number of blocks that gather_blocks would make, using little memory for any number.
-double count_blocks(const Boughs& boughs, double voxel, double band_voxels);
+double count_blocks(const BranchVolume& boughs, double voxel, double band_voxels);
 
 }  // namespace frond

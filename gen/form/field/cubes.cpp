@@ -44,7 +44,7 @@ void walk(Vec3 from, Vec3 to, float side, const Visit& visit) {
 }
 
 /// All cells of the body.
-CellSet occupied(const Boughs& boughs, const Blocks& blocks) {
+CellSet occupied(const BranchVolume& boughs, const Blocks& blocks) {
   CellSet cells;
   for (const BlockList& list : blocks.lists) {
     std::vector<std::array<bool, kBlockVoxels>> within(list.blocks.size());
@@ -61,7 +61,7 @@ CellSet occupied(const Boughs& boughs, const Blocks& blocks) {
           cells.add({first.i + (i >> 6), first.j + (i >> 3 & 7), first.k + (i & 7)});
     }
   }
-  for (const Cone& cone : boughs.cones)
+  for (const RoundCone& cone : boughs.cones)
     walk(cone.from, cone.to(), blocks.voxel, [&](Cell cell) { cells.add(cell); });
   mend_contacts(cells);
   return cells;
@@ -119,7 +119,7 @@ Surface joined_faces(const Cubes& cubes, std::vector<std::int32_t>& node) {
 }
 
 /// Hides the walls of voids, and cubes that lie apart.
-void keep_outsides(Cubes& cubes, const Boughs& boughs) {
+void keep_outsides(Cubes& cubes, const BranchVolume& boughs) {
   std::vector<std::int32_t> node;
   Surface faces = joined_faces(cubes, node);
   std::vector<bool> outside = outsides(faces, node, boughs);
@@ -137,7 +137,7 @@ void keep_outsides(Cubes& cubes, const Boughs& boughs) {
 
 }  // namespace
 
-Result<Cubes> cubes_of(const Boughs& boughs, const VolumeOptions& options) {
+Result<Cubes> cubes_of(const BranchVolume& boughs, const VolumeOptions& options) {
   if (Errors errors = refuse_volume(boughs, options); !errors.empty()) return errors;
   auto side = static_cast<float>(options.voxel);
   Blocks blocks = gather_blocks(boughs, side, side);

@@ -17,7 +17,7 @@ struct Cubes {
 
 /// The cubes whose middles are inside the boughs, and those crossed by the axis of a bough, so that branches
 /// thinner than a cube stay connected, face to face. Of the options only voxel and limit are used.
-Result<Cubes> cubes_of(const Boughs& boughs, const VolumeOptions& options);
+Result<Cubes> cubes_of(const BranchVolume& boughs, const VolumeOptions& options);
 
 /// The visible faces with sharp edges: each has its own corners. Triangles 2 i and 2 i + 1 belong to cube
 /// `cube[i]`.

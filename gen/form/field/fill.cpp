@@ -12,7 +12,7 @@ constexpr float kFarAway = std::numeric_limits<float>::max();
 using Row = std::array<float, kPartSide>;
 
 /// Lowers a row of voxels to the distance of one cone; written so that the compiler makes vectors of it.
-void lower_row(const Cone& cone, Vec3 at, float voxel, Row& row) {
+void lower_row(const RoundCone& cone, Vec3 at, float voxel, Row& row) {
   Vec3 away = at - cone.from;
   float flat2 = away.x * away.x + away.y * away.y, flat_along = away.x * cone.axis.x + away.y * cone.axis.y;
   float axis_z = cone.axis.z, lean = cone.lean, length = cone.length, radius = cone.radius,
@@ -38,7 +38,7 @@ struct ArmRow {
   std::array<std::uint32_t, kPartSide> cone;
 };
 
-ArmRow arm_row(const Boughs& boughs, const Forks& forks, const Arm& arm, Vec3 at, float voxel) {
+ArmRow arm_row(const BranchVolume& boughs, const Forks& forks, const Arm& arm, Vec3 at, float voxel) {
   ArmRow best;
   best.distance.fill(kFarAway), best.cone.fill(0);
   for (std::uint32_t m = arm.first; m < arm.last; ++m) {
@@ -51,8 +51,8 @@ ArmRow arm_row(const Boughs& boughs, const Forks& forks, const Arm& arm, Vec3 at
 }
 
 /// Lowers a row to the fillets of one fork.
-void lower_to_fork(const Boughs& boughs, const Forks& forks, std::size_t f, Vec3 at, float voxel, float band,
-                   Row& row) {
+void lower_to_fork(const BranchVolume& boughs, const Forks& forks, std::size_t f, Vec3 at, float voxel,
+                   float band, Row& row) {
   const Forks::Fork& fork = forks.forks[f];
   std::array<ArmRow, kMostArms> arms;
   Row least;
@@ -80,7 +80,8 @@ void lower_to_fork(const Boughs& boughs, const Forks& forks, std::size_t f, Vec3
 }
 
 /// Fills one part of a block.
-void fill_part(const Boughs& boughs, float voxel, float band, const Nearby& near, Cell first, float* out) {
+void fill_part(const BranchVolume& boughs, float voxel, float band, const Nearby& near, Cell first,
+               float* out) {
   for (int i = 0; i < kPartSide; ++i)
     for (int j = 0; j < kPartSide; ++j) {
       Vec3 at = voxel_middle({first.i + i, first.j + j, first.k}, voxel);
@@ -97,7 +98,7 @@ void fill_part(const Boughs& boughs, float voxel, float band, const Nearby& near
 
 }  // namespace
 
-Filling fill_block(const Boughs& boughs, const Blocks& blocks, const FoundBlock& found,
+Filling fill_block(const BranchVolume& boughs, const Blocks& blocks, const FoundBlock& found,
                    std::span<float, kBlockVoxels> distance) {
   float voxel = blocks.voxel, band = blocks.band;
   Cell first = block_origin(found.block->key);

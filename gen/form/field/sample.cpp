@@ -1,7 +1,7 @@
 #include <array>
 #include <limits>
 
-#include "field/boughs.h"
+#include "field/branch_volume.h"
 
 namespace frond {
 
@@ -10,7 +10,7 @@ namespace {
 constexpr float kNone = std::numeric_limits<float>::max();
 constexpr float kTurning = 0.6f;  // of an arm's width, in which its direction turns round a bend
 
-Nearest nearest_of(const Boughs& boughs, const Forks& forks, const Arm& arm, Vec3 at) {
+Nearest nearest_of(const BranchVolume& boughs, const Forks& forks, const Arm& arm, Vec3 at) {
   Nearest best{kNone, 0};
   for (std::uint32_t m = arm.first; m < arm.last; ++m) {
     float d = distance(boughs.cones[forks.member[m]], at);
@@ -21,7 +21,7 @@ Nearest nearest_of(const Boughs& boughs, const Forks& forks, const Arm& arm, Vec
 
 /// The directions in which the arms of a fork face at one place.
 struct Faces {
-  const Boughs& boughs;
+  const BranchVolume& boughs;
   const Forks& forks;
   const Arm* arms_of;
   std::span<const Nearest> arms;
@@ -39,7 +39,7 @@ struct Faces {
     float span = kTurning * arm.width;
     Vec3 sum(0);
     for (std::uint32_t m = arm.first; m < arm.last; ++m) {
-      const Cone& cone = boughs.cones[forks.member[m]];
+      const RoundCone& cone = boughs.cones[forks.member[m]];
       float share = 1 - (distance(cone, at) - arms[a].distance) / span;
       if (share > 0) sum += share * share * outward(cone, at);
     }
@@ -53,8 +53,8 @@ struct Faces {
 /// The arms of a fork flow into each other: a smooth minimum (the quadratic one of Quilez 2013), but only as
 /// far as they face different ways, so that an arm does not swell where another leaves it from within (the
 /// idea of Gourmel et al. 2013, A gradient-based implicit blend).
-FieldSample blend_arms(const Boughs& boughs, const Forks& forks, std::size_t f, std::span<const Nearest> near,
-                       Vec3 at, bool with_normal) {
+FieldSample blend_arms(const BranchVolume& boughs, const Forks& forks, std::size_t f,
+                       std::span<const Nearest> near, Vec3 at, bool with_normal) {
   const Arm* arms = forks.arms.data() + forks.forks[f].first;
   Faces faces{boughs, forks, arms, near, at};
   std::array<float, kMostArms> weight{};  // of each arm's slope in that of the whole
@@ -87,7 +87,7 @@ FieldSample blend_arms(const Boughs& boughs, const Forks& forks, std::size_t f, 
   return sample;
 }
 
-FieldSample sample_boughs(const Boughs& boughs, const Nearby& near, Vec3 at) {
+FieldSample sample_boughs(const BranchVolume& boughs, const Nearby& near, Vec3 at) {
   FieldSample best{kNone, Vec3(0), -1};
   for (std::uint32_t i : near.cones) {
     float d = distance(boughs.cones[i], at);
@@ -119,7 +119,7 @@ FieldSample sample_boughs(const Boughs& boughs, const Nearby& near, Vec3 at) {
   return best;
 }
 
-Nearby all_of(const Boughs& boughs) {
+Nearby all_of(const BranchVolume& boughs) {
   Nearby all{{}, boughs.forks, 0};
   for (std::uint32_t i = 0; i < boughs.cones.size(); ++i) all.cones.push_back(i);
   return all;
@@ -132,8 +132,8 @@ float fillet_reach(const Forks& forks, std::size_t f) {
   return count * (count - 1) / 2 * most / 4;
 }
 
-bool choose_fork(const Boughs& boughs, const Forks& from, std::size_t f, Vec3 at, float half, float band,
-                 Forks* to) {
+bool choose_fork(const BranchVolume& boughs, const Forks& from, std::size_t f, Vec3 at, float half,
+                 float band, Forks* to) {
   const Forks::Fork& fork = from.forks[f];
   std::array<float, kMostArms> arm;
   std::array<float, kMostMembers> known;
@@ -169,7 +169,8 @@ bool choose_fork(const Boughs& boughs, const Forks& from, std::size_t f, Vec3 at
   return true;
 }
 
-void choose_near(const Boughs& boughs, const Nearby& from, Vec3 at, float half, float band, Nearby& to) {
+void choose_near(const BranchVolume& boughs, const Nearby& from, Vec3 at, float half, float band,
+                 Nearby& to) {
   std::array<float, 256> known;
   to.cones.clear();
   to.forks.clear();

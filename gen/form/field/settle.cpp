@@ -40,7 +40,8 @@ Cell octant_origin(Cell first, std::uint32_t octant, int side) {
 }
 
 /// Moves one vertex along the slope of the distance until it is 0 (Newton's way).
-void settle_vertex(const Boughs& boughs, const Nearby& near, float voxel, FusedMesh& mesh, std::uint32_t v) {
+void settle_vertex(const BranchVolume& boughs, const Nearby& near, float voxel, FusedMesh& mesh,
+                   std::uint32_t v) {
   assert(v < mesh.surface.position.size() && voxel > 0);
   Vec3 start = mesh.surface.position[v], at = start;
   FieldSample sample = sample_boughs(boughs, near, at);
@@ -59,9 +60,9 @@ void settle_vertex(const Boughs& boughs, const Nearby& near, float voxel, FusedM
 
 /// The way that the branches near a vertex carry it, the nearest most; notes the node of that one. It changes
 /// steadily from place to place, also between branches that only touch.
-Vec3 carry_vertex(const Boughs& boughs, const Nearby& near, const Carriage& carriage, float voxel, Vec3 at,
-                  std::int32_t& node) {
-  const Cone* nearest = &boughs.cones[near.cones[0]];
+Vec3 carry_vertex(const BranchVolume& boughs, const Nearby& near, const Carriage& carriage, float voxel,
+                  Vec3 at, std::int32_t& node) {
+  const RoundCone* nearest = &boughs.cones[near.cones[0]];
   float least = distance(*nearest, at);
   for (std::uint32_t c : near.cones)
     if (float d = distance(boughs.cones[c], at); d < least) least = d, nearest = &boughs.cones[c];
@@ -81,7 +82,7 @@ Vec3 carry_vertex(const Boughs& boughs, const Nearby& near, const Carriage& carr
 /// Finds what is near the vertices of a range; those in one place share it.
 class NearFinder {
  public:
-  NearFinder(const Boughs& boughs, const Blocks& blocks, std::span<const Vec3> position)
+  NearFinder(const BranchVolume& boughs, const Blocks& blocks, std::span<const Vec3> position)
       : boughs_(boughs), blocks_(blocks), position_(position) {}
 
   /// Calls visit(near, v) for each vertex that has a branch near it; it may move that vertex.
@@ -123,7 +124,7 @@ class NearFinder {
                 kMargin * voxel, to);
   }
 
-  const Boughs& boughs_;
+  const BranchVolume& boughs_;
   const Blocks& blocks_;
   std::span<const Vec3> position_;
   Nearby listed_, part_, near_;
@@ -131,7 +132,8 @@ class NearFinder {
 
 /// Calls visit(near, v) for all vertices of a mesh, on all threads.
 template <class Visit>
-void visit_vertices(const Boughs& boughs, const Blocks& blocks, const FusedMesh& mesh, const Visit& visit) {
+void visit_vertices(const BranchVolume& boughs, const Blocks& blocks, const FusedMesh& mesh,
+                    const Visit& visit) {
   std::size_t count = mesh.surface.position.size(), parts = count / kPartVertices + 1;
   parallel_for(parts, [&](std::size_t p) {
     NearFinder(boughs, blocks, mesh.surface.position).look(count * p / parts, count * (p + 1) / parts, visit);
@@ -140,7 +142,7 @@ void visit_vertices(const Boughs& boughs, const Blocks& blocks, const FusedMesh&
 
 }  // namespace
 
-void settle(const Boughs& boughs, const Blocks& blocks, FusedMesh& mesh) {
+void settle(const BranchVolume& boughs, const Blocks& blocks, FusedMesh& mesh) {
   mesh.surface.normal.assign(mesh.surface.position.size(), Vec3(0, 1, 0));
   mesh.node.assign(mesh.surface.position.size(), 0);
   visit_vertices(boughs, blocks, mesh, [&](const Nearby& near, std::uint32_t v) {
@@ -148,7 +150,7 @@ void settle(const Boughs& boughs, const Blocks& blocks, FusedMesh& mesh) {
   });
 }
 
-std::vector<Vec3> carried_by(const Boughs& boughs, const Blocks& blocks, const Carriage& carriage,
+std::vector<Vec3> carried_by(const BranchVolume& boughs, const Blocks& blocks, const Carriage& carriage,
                              FusedMesh& mesh) {
   std::vector<Vec3> way(mesh.surface.position.size(), Vec3(0));
   mesh.node.assign(way.size(), 0);

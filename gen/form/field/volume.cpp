@@ -66,7 +66,7 @@ struct Filled {
   bool inside = false;
 };
 
-Filled leaf_of(const Boughs& boughs, const Blocks& blocks, const FoundBlock& found, float most) {
+Filled leaf_of(const BranchVolume& boughs, const Blocks& blocks, const FoundBlock& found, float most) {
   std::array<float, kBlockVoxels> distance;
   Filling filling = fill_block(boughs, blocks, found, distance);
   if (filling != Filling::crossed) return {nullptr, filling == Filling::inside};
@@ -82,7 +82,7 @@ Filled leaf_of(const Boughs& boughs, const Blocks& blocks, const FoundBlock& fou
 }
 
 /// The distances of the blocks, none of them above `most` to either side; metres.
-Volume fill_volume(const Boughs& boughs, const Blocks& blocks, float most) {
+Volume fill_volume(const BranchVolume& boughs, const Blocks& blocks, float most) {
   prepare();
   auto grid = openvdb::FloatGrid::create(most);
   grid->setName(kName);
@@ -175,7 +175,7 @@ void settle_between(const openvdb::FloatGrid& grid, Surface& surface) {
 }
 
 /// Leaves what is seen from outside.
-void keep_outsides(FusedMesh& mesh, const Boughs& boughs) {
+void keep_outsides(FusedMesh& mesh, const BranchVolume& boughs) {
   Surface& s = mesh.surface;
   std::vector<bool> outside = outsides(s, mesh.node, boughs), used(s.position.size());
   if (std::find(outside.begin(), outside.end(), false) == outside.end()) return;
@@ -199,14 +199,14 @@ void keep_outsides(FusedMesh& mesh, const Boughs& boughs) {
 
 }  // namespace
 
-VolumeForecast estimate_volume(const Boughs& boughs, double voxel) {
+VolumeForecast estimate_volume(const BranchVolume& boughs, double voxel) {
   VolumeForecast forecast;
   forecast.blocks = count_blocks(boughs, voxel, kBand);
   forecast.bytes = forecast.blocks * kBytesABlock;
   return forecast;
 }
 
-Errors refuse_volume(const Boughs& boughs, const VolumeOptions& options) {
+Errors refuse_volume(const BranchVolume& boughs, const VolumeOptions& options) {
   VolumeForecast forecast = estimate_volume(boughs, options.voxel);
   if (forecast.bytes > options.limit) {
     double enough = options.voxel * std::sqrt(forecast.bytes / options.limit) * 1.05;
@@ -225,11 +225,11 @@ std::uint64_t Volume::active_voxels() const { return grid_->level_set->activeVox
 std::uint64_t Volume::bytes() const { return grid_->level_set->memUsage(); }
 float Volume::at(Cell cell) const { return grid_->level_set->tree().getValue(coord(cell)); }
 
-Result<Volume> volume_of(const Boughs& boughs, const VolumeOptions& options) {
+Result<Volume> volume_of(const BranchVolume& boughs, const VolumeOptions& options) {
   if (Errors errors = refuse_volume(boughs, options); !errors.empty()) return errors;
   return guarded("", [&]() -> Result<Volume> {
     auto voxel = static_cast<float>(options.voxel);
-    Boughs held = at_least_as_thick(boughs, kThinnest * voxel);
+    BranchVolume held = at_least_as_thick(boughs, kThinnest * voxel);
     return fill_volume(held, gather_blocks(held, voxel, kBand * voxel), kBand * voxel);
   });
 }
@@ -242,11 +242,11 @@ Result<Surface> mesh_of(const Volume& volume, double adaptivity) {
   });
 }
 
-Result<FusedMesh> fuse(const Boughs& boughs, const VolumeOptions& options) {
+Result<FusedMesh> fuse(const BranchVolume& boughs, const VolumeOptions& options) {
   if (Errors errors = refuse_volume(boughs, options); !errors.empty()) return errors;
   return guarded("", [&]() -> Result<FusedMesh> {
     auto voxel = static_cast<float>(options.voxel);
-    Boughs held = at_least_as_thick(boughs, kThinnest * voxel);
+    BranchVolume held = at_least_as_thick(boughs, kThinnest * voxel);
     Blocks blocks = gather_blocks(held, voxel, kMeshBand * voxel);
     FusedMesh mesh;
     {
@@ -259,11 +259,12 @@ Result<FusedMesh> fuse(const Boughs& boughs, const VolumeOptions& options) {
   });
 }
 
-Result<FusedMesh> roughen(const Boughs& boughs, const VolumeOptions& options, const Carriage& carriage) {
+Result<FusedMesh> roughen(const BranchVolume& boughs, const VolumeOptions& options,
+                          const Carriage& carriage) {
   if (Errors errors = refuse_volume(boughs, options); !errors.empty()) return errors;
   return guarded("", [&]() -> Result<FusedMesh> {
     auto voxel = static_cast<float>(options.voxel);
-    Boughs held = at_least_as_thick(boughs, kThinnest * voxel);
+    BranchVolume held = at_least_as_thick(boughs, kThinnest * voxel);
     Blocks blocks = gather_blocks(held, voxel, kMeshBand * voxel);
     float most = voxel * glm::mix(1.0f, kRoughest, static_cast<float>(options.roughness));
     FusedMesh mesh;

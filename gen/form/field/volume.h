@@ -24,11 +24,11 @@ struct VolumeForecast {
   double bytes = 0;   ///< of memory, with the mesh
 };
 
-VolumeForecast estimate_volume(const Boughs& boughs, double voxel);
+VolumeForecast estimate_volume(const BranchVolume& boughs, double voxel);
 
 /// Empty, or why the volume is refused: it exceeds the limit (with the figure and a voxel size that would
 /// fit), or its voxels are too small for its distance from the origin. Allocates nothing large.
-Errors refuse_volume(const Boughs& boughs, const VolumeOptions& options);
+Errors refuse_volume(const BranchVolume& boughs, const VolumeOptions& options);
 
 /// A level set: distances from a surface in a narrow band of three voxels on both sides. Holds an OpenVDB
 /// grid.
@@ -51,7 +51,7 @@ class Volume {
 };
 
 /// The boughs as a level set, voxels in world space. The same bytes at any number of threads.
-Result<Volume> volume_of(const Boughs& boughs, const VolumeOptions& options);
+Result<Volume> volume_of(const BranchVolume& boughs, const VolumeOptions& options);
 
 /// A mesh of fused branches.
 struct FusedMesh {
@@ -62,7 +62,7 @@ struct FusedMesh {
 
 /// The boughs as a mesh: a level set, its surface by dual contouring (Ju et al. 2002, as in OpenVDB's
 /// VolumeToMesh), the vertices then moved onto the exact surface of the boughs.
-Result<FusedMesh> fuse(const Boughs& boughs, const VolumeOptions& options);
+Result<FusedMesh> fuse(const BranchVolume& boughs, const VolumeOptions& options);
 
 /// Where the nodes of a skeleton are at rest and in a pose: what lies at x near node i at rest is then at
 /// posed[i] + turn[i] * (x - rest[i]). Metres, one entry per node.
@@ -77,7 +77,7 @@ struct Carriage {
 /// within a voxel of the smooth surface; where the mesh has edges each face has its own. `boughs` are at
 /// rest, and so is the grid; the vertices are carried from there by the branches near them, so that the skin
 /// neither slides nor flickers where these move. Adaptivity is not used.
-Result<FusedMesh> roughen(const Boughs& boughs, const VolumeOptions& options, const Carriage& carriage);
+Result<FusedMesh> roughen(const BranchVolume& boughs, const VolumeOptions& options, const Carriage& carriage);
 
 /// The zero surface of a volume as a mesh, normals from its triangles.
 Result<Surface> mesh_of(const Volume& volume, double adaptivity);

@@ -23,9 +23,9 @@ struct Joined {
   }
 };
 
-std::vector<std::int32_t> root_of_nodes(const Boughs& boughs) {
+std::vector<std::int32_t> root_of_nodes(const BranchVolume& boughs) {
   std::vector<std::int32_t> root;
-  for (const Cone& cone : boughs.cones) {
+  for (const RoundCone& cone : boughs.cones) {
     auto node = static_cast<std::size_t>(cone.node);
     if (node >= root.size()) root.resize(node + 1, 0);
     root[node] = cone.root;
@@ -35,7 +35,7 @@ std::vector<std::int32_t> root_of_nodes(const Boughs& boughs) {
 
 }  // namespace
 
-std::vector<bool> outsides(const Surface& s, std::span<const std::int32_t> node, const Boughs& boughs) {
+std::vector<bool> outsides(const Surface& s, std::span<const std::int32_t> node, const BranchVolume& boughs) {
   Joined joined(s.position.size());
   for (auto [a, b, c] : s.triangle) joined.join(a, b), joined.join(b, c);
   std::vector<double> volume(s.position.size());  // of each piece, at the vertex that stands for it

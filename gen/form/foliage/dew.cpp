@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/lots.h"
+#include "core/discrete_distribution.h"
 #include "core/triangle.h"
 #include "foliage/organ_shapes.h"
 
@@ -19,7 +19,7 @@ constexpr float kSunk = 0.28f, kFlat = 0.82f;       // of a drop's radius: how f
 }  // namespace
 
 Surface dew_surface(const Surface& organ, double size, double drops, Seed seed) {
-  Lots lots;
+  DiscreteDistribution lots;
   for (const auto& [i, j, k] : organ.triangle)
     lots.add(triangle_area(organ.position[i], organ.position[j], organ.position[k]));
   auto wanted = static_cast<std::uint64_t>(std::min(1e4 * drops * lots.sum() * size * size, kMostDrops));

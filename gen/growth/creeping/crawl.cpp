@@ -14,14 +14,14 @@ namespace {
 
 /// Everything while it grows.
 struct Growing {
-  const Host& host;
+  const TriangleSurface& host;
   const GroundHeight& ground;
   const Crawl& crawl;
   Guides guides;
   std::vector<Tip> tips;            // of all strands, living or not
   std::vector<std::int32_t> alive;  // which tips grow
   Nodes nodes;
-  Crowd crowd;
+  SpatialHash crowd;
   CrawlWorld world{host, ground, guides};
   std::vector<std::int32_t> last{};  // node of each strand
   std::vector<DVec3> near{};
@@ -111,9 +111,9 @@ bool take(Growing& g, std::int32_t t) {
 }
 
 void step_all(Growing& g, int step) {
-  const Crowd* crowd = g.crawl.spacing > 0 ? &g.crowd : nullptr;
+  const SpatialHash* crowd = g.crawl.spacing > 0 ? &g.crowd : nullptr;
   if (crowd && !g.crawl.trace) {
-    g.crowd = Crowd(g.crawl.spacing);
+    g.crowd = SpatialHash(g.crawl.spacing);
     for (std::int32_t t : g.alive) {
       const Tip& tip = g.tips[t];
       g.crowd.add({Vec3(tip.tread.place), Vec3(tip.tread.normal), t, static_cast<float>(tip.along)});
@@ -162,12 +162,12 @@ std::optional<Tread> begin_at(const Growing& g, const Start& start) {
 
 }  // namespace
 
-Strands grow_strands(const Host& host, const std::vector<Start>& starts, const Crawl& crawl, Seed seed,
-                     const GroundHeight& ground) {
+Strands grow_strands(const TriangleSurface& host, const std::vector<Start>& starts, const Crawl& crawl,
+                     Seed seed, const GroundHeight& ground) {
   Crawl own = crawl;
   if (!own.trace) own.branch_depth = 0, own.let_go = 0;
   Growing g{host, ground, own, Guides(host, own.guides),
-            {},   {},     {},  Crowd(own.spacing > 0 ? own.spacing : 1)};
+            {},   {},     {},  SpatialHash(own.spacing > 0 ? own.spacing : 1)};
   for (std::size_t i = 0; i < starts.size(); ++i) {
     std::optional<Tread> tread = begin_at(g, starts[i]);
     if (!tread) continue;

@@ -117,19 +117,21 @@ struct Strands {
 /// Starts need not lie on the host nor keep apart; those inside the host are skipped. A creeping strand stops
 /// at the ground; a hanging one lies down on it and ends. Starts below the ground are moved up to where it
 /// meets the host.
-Strands grow_strands(const Host& host, const std::vector<Start>& starts, const Crawl& crawl, Seed seed,
-                     const GroundHeight& ground = {});
+Strands grow_strands(const TriangleSurface& host, const std::vector<Start>& starts, const Crawl& crawl,
+                     Seed seed, const GroundHeight& ground = {});
 
 /// `count` starts along the foot of a host, about evenly spaced, where its surface is cut by a horizontal
 /// plane `above` metres over its lowest point. With `facing` (any length but 0), only where the surface faces
 /// that direction. Fewer, or none, where there is no such surface.
-std::vector<Start> starts_at_foot(const Host& host, int count, double above, Vec3 facing, Seed seed);
+std::vector<Start> starts_at_foot(const TriangleSurface& host, int count, double above, Vec3 facing,
+                                  Seed seed);
 
 /// The beginnings of the curves of guides, and more of them along these, evenly, up to `count`.
 std::vector<Start> starts_on_guides(const std::vector<CrawlGuide>& guides, int count);
 
 /// `count` starts spread evenly over the surface within `radius` metres of `centre`. Fewer, or none, where
 /// there is no surface.
-std::vector<Start> starts_around(const Host& host, int count, Vec3 centre, double radius, Seed seed);
+std::vector<Start> starts_around(const TriangleSurface& host, int count, Vec3 centre, double radius,
+                                 Seed seed);
 
 }  // namespace frond

@@ -62,7 +62,7 @@ std::vector<float> radii(const Strands& out, const std::vector<std::int32_t>& pa
 }
 
 /// The place of a node above the surface; in a cleft that is narrower than the stem, half-way across.
-DVec3 lifted(const Host& host, const Tread& t, double radius) {
+DVec3 lifted(const TriangleSurface& host, const Tread& t, double radius) {
   DVec3 place = t.contact + t.normal * radius;
   DVec3 offset = place - t.place;
   if (glm::dot(offset, t.normal) <= 0) return place;
@@ -72,7 +72,7 @@ DVec3 lifted(const Host& host, const Tread& t, double radius) {
 }
 
 /// The places of all nodes. What hangs moves along as the node that holds it is lifted, if there is room.
-std::vector<DVec3> places(const Host& host, const GroundHeight& ground, const Nodes& nodes,
+std::vector<DVec3> places(const TriangleSurface& host, const GroundHeight& ground, const Nodes& nodes,
                           const std::vector<std::int32_t>& order, const std::vector<std::int32_t>& parent,
                           const std::vector<float>& radius) {
   std::size_t n = order.size();
@@ -106,7 +106,7 @@ std::vector<DVec3> places(const Host& host, const GroundHeight& ground, const No
 
 }  // namespace
 
-Strands gather(const Host& host, const GroundHeight& ground, const Nodes& nodes,
+Strands gather(const TriangleSurface& host, const GroundHeight& ground, const Nodes& nodes,
                const std::vector<Strand>& strands, const std::vector<int>& depths, const Crawl& crawl) {
   Strands out;
   std::vector<std::int32_t> number = keep_strands(nodes, strands, out);

@@ -20,7 +20,7 @@ struct Nodes {
 
 /// Orders the nodes strand by strand, sets their radii (I5 and the pipe model of Shinozaki et al. 1964) and
 /// lifts them off the surface by these. Strands without a segment are dropped.
-Strands gather(const Host& host, const GroundHeight& ground, const Nodes& nodes,
+Strands gather(const TriangleSurface& host, const GroundHeight& ground, const Nodes& nodes,
                const std::vector<Strand>& strands, const std::vector<int>& depths, const Crawl& crawl);
 
 }  // namespace frond

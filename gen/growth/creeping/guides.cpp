@@ -41,7 +41,7 @@ std::vector<Start> starts_on_guides(const std::vector<CrawlGuide>& guides, int c
   return starts;
 }
 
-Guides::Guides(const Host& host, const std::vector<CrawlGuide>& guides) {
+Guides::Guides(const TriangleSurface& host, const std::vector<CrawlGuide>& guides) {
   for (const CrawlGuide& guide : guides)
     for (const std::vector<DVec3>& drawn : guide.curves()) {
       Curve curve{{}, guide.width, guide.pull};

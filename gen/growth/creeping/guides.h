@@ -7,7 +7,7 @@ namespace frond {
 /// The curves of guides, laid on a host.
 class Guides {
  public:
-  Guides(const Host& host, const std::vector<CrawlGuide>& guides);
+  Guides(const TriangleSurface& host, const std::vector<CrawlGuide>& guides);
 
   bool empty() const { return curves_.empty(); }
 

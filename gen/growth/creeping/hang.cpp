@@ -14,7 +14,7 @@ constexpr double kSlope = 0.5;  // the ground is no nearer than this share of th
 /// What hinders the end of link `i`, which begins at `at`, from being at `to`: the offset to push it by, or
 /// nothing. What is known of the room about it saves most questions; where nothing hinders, `to` is known
 /// from now on.
-std::optional<DVec3> hindrance(Chain& chain, const Host& host, std::size_t i, const DVec3& at,
+std::optional<DVec3> hindrance(Chain& chain, const TriangleSurface& host, std::size_t i, const DVec3& at,
                                const DVec3& to) {
   assert(i < chain.room.size() && chain.link > 0);
   DVec3 offset = to - chain.clear[i];
@@ -54,7 +54,7 @@ std::optional<DVec3> hindrance(Chain& chain, const Host& host, std::size_t i, co
 }
 
 /// Puts the end of link `i` as near to a direction as the host lets it. False where there is no way.
-bool place_link(Chain& chain, const Host& host, std::size_t i, const DVec3& at, DVec3 direction) {
+bool place_link(Chain& chain, const TriangleSurface& host, std::size_t i, const DVec3& at, DVec3 direction) {
   for (int again = 0; again < 8; ++again) {
     DVec3 to = at + direction * chain.link;
     std::optional<DVec3> push = hindrance(chain, host, i, at, to);
@@ -72,7 +72,7 @@ bool place_link(Chain& chain, const Host& host, std::size_t i, const DVec3& at, 
 
 }  // namespace
 
-BacksSeen backs_seen(const Host& host, const DVec3& place) {
+BacksSeen backs_seen(const TriangleSurface& host, const DVec3& place) {
   if (host.closed()) return {};
   constexpr int kDirections = 40;
   static const std::array<DVec3, kDirections> directions = [] {
@@ -96,7 +96,7 @@ BacksSeen backs_seen(const Host& host, const DVec3& place) {
   return {static_cast<double>(backs) / kDirections, length > 0 ? out / length : DVec3(0, 1, 0)};
 }
 
-bool lengthen(Chain& chain, const Host& host, const DVec3& direction, const DVec3& curl) {
+bool lengthen(Chain& chain, const TriangleSurface& host, const DVec3& direction, const DVec3& curl) {
   assert(std::abs(glm::length(direction) - 1) < 1e-6);
   DVec3 from = chain.place.empty() ? chain.root : chain.place.back();
   chain.place.push_back(from);
@@ -113,7 +113,7 @@ bool lengthen(Chain& chain, const Host& host, const DVec3& direction, const DVec
   return false;
 }
 
-double settle(Chain& chain, const Host& host, int sweeps, double calm) {
+double settle(Chain& chain, const TriangleSurface& host, int sweeps, double calm) {
   assert(calm >= 0 && calm <= 1 && chain.link > 0);
   assert(chain.curl.size() == chain.place.size() && chain.load.size() == chain.place.size());
   assert(chain.clear.size() == chain.place.size() && chain.room.size() == chain.place.size());

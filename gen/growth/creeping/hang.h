@@ -1,6 +1,6 @@
 #pragma once
 
-#include "creeping/host.h"
+#include "creeping/triangle_surface.h"
 
 namespace frond {
 
@@ -28,12 +28,13 @@ struct BacksSeen {
   double share = 0;
   DVec3 out{0};  ///< of length 1: where fewest are
 };
-BacksSeen backs_seen(const Host& host, const DVec3& place);
+BacksSeen backs_seen(const TriangleSurface& host, const DVec3& place);
 inline constexpr double kBehind = 0.4;  ///< the share from which a place lies behind
 
 /// Appends a link in a direction (of length 1), or beside it where the host is in the way. False, with
 /// nothing appended, where there is no room.
-bool lengthen(Chain& chain, const Host& host, const DVec3& direction, const DVec3& curl = DVec3(0));
+bool lengthen(Chain& chain, const TriangleSurface& host, const DVec3& direction,
+              const DVec3& curl = DVec3(0));
 
 /// Lets weight and stiffness bend the chain in `sweeps` passes and keeps it out of the host. Links keep their
 /// length. Returns the farthest move of any joint in the last pass, as a share of a link. `calm`, 0 to 1,
@@ -44,6 +45,6 @@ bool lengthen(Chain& chain, const Host& host, const DVec3& direction, const DVec
 /// raises the energy: the passes converge from any state with any stiffness. Pushes of the host are kept as
 /// loads, like the multipliers of Uzawa's method, so that a part that lies on a ledge is pulled by the part
 /// that hangs over it.
-double settle(Chain& chain, const Host& host, int sweeps, double calm = 0);
+double settle(Chain& chain, const TriangleSurface& host, int sweeps, double calm = 0);
 
 }  // namespace frond

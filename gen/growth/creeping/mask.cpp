@@ -9,7 +9,7 @@ bool CrawlMask::scaling(std::string_view what) const {
   return std::ranges::find(scales, what) != scales.end();
 }
 
-double CrawlMask::at(const Host& host, std::uint32_t triangle, const DVec3& point) const {
+double CrawlMask::at(const TriangleSurface& host, std::uint32_t triangle, const DVec3& point) const {
   if (picture.along) return picture.at(point, host.low(), host.high());
   Vec3 paint = host.paint(triangle, point);
   if (picture.file.empty())

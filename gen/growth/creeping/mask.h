@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/mask.h"
-#include "creeping/host.h"
+#include "creeping/triangle_surface.h"
 
 namespace frond {
 
@@ -18,7 +18,7 @@ struct CrawlMask {
 
   bool scaling(std::string_view what) const;
   /// Its value at a point of a triangle; 1 where the host has no such paint.
-  double at(const Host& host, std::uint32_t triangle, const DVec3& point) const;
+  double at(const TriangleSurface& host, std::uint32_t triangle, const DVec3& point) const;
 };
 
 inline constexpr std::string_view kMaskScales[] = {"bias", "spacing", "leaves"};

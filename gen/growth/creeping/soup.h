@@ -9,7 +9,7 @@
 namespace frond {
 
 /// A set of triangles put in order: equal positions are one vertex, neighbours agree on the outer side, and
-/// triangles without area are gone. See Host.
+/// triangles without area are gone. See TriangleSurface.
 struct Soup {
   std::vector<std::array<Vec3, 3>> corners;
   std::vector<std::array<std::uint32_t, 3>> vertex;

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/lots.h"
+#include "core/discrete_distribution.h"
 #include "core/triangle.h"
 #include "creeping/crawl.h"
 
@@ -24,7 +24,7 @@ double pseudo_angle(double x, double z) {
   return z < 0 ? p - 1 : 1 - p;
 }
 
-std::vector<Cut> level_cuts(const Host& host, double height, const DVec3& facing) {
+std::vector<Cut> level_cuts(const TriangleSurface& host, double height, const DVec3& facing) {
   std::vector<Cut> cuts;
   DVec3 middle = 0.5 * (host.low() + host.high());
   for (std::uint32_t t = 0; t < host.triangles().size(); ++t) {
@@ -48,7 +48,8 @@ std::vector<Cut> level_cuts(const Host& host, double height, const DVec3& facing
 
 }  // namespace
 
-std::vector<Start> starts_at_foot(const Host& host, int count, double above, Vec3 facing, Seed seed) {
+std::vector<Start> starts_at_foot(const TriangleSurface& host, int count, double above, Vec3 facing,
+                                  Seed seed) {
   double height = host.low().y + std::clamp(above, 1e-4 * host.size(), host.high().y - host.low().y);
   std::vector<Cut> cuts = level_cuts(host, height, DVec3(facing));
   double length = 0;
@@ -69,8 +70,9 @@ std::vector<Start> starts_at_foot(const Host& host, int count, double above, Vec
   return starts;
 }
 
-std::vector<Start> starts_around(const Host& host, int count, Vec3 centre, double radius, Seed seed) {
-  Lots lots;
+std::vector<Start> starts_around(const TriangleSurface& host, int count, Vec3 centre, double radius,
+                                 Seed seed) {
+  DiscreteDistribution lots;
   for (std::uint32_t t = 0; t < host.triangles().size(); ++t) {
     DVec3 a(host.triangles()[t][0]), b(host.triangles()[t][1]), c(host.triangles()[t][2]);
     DVec3 low = glm::min(glm::min(a, b), c), high = glm::max(glm::max(a, b), c);

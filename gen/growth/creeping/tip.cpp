@@ -64,7 +64,7 @@ void turn_back(Tip& tip, Seed draw) {
   tip.tread.heading = turned(tip.tread.heading, tip.tread.normal, angle);
 }
 
-void let_go(Tip& tip, const Host& host, const GroundHeight& ground, const Crawl& crawl) {
+void let_go(Tip& tip, const TriangleSurface& host, const GroundHeight& ground, const Crawl& crawl) {
   assert(!tip.hangs);
   tip.hangs = true;
   tip.chain = Chain{};
@@ -91,12 +91,13 @@ void lay(Tip& tip, const Crawl& crawl, double time) {
 }
 
 /// Whether an edge ends the surface ahead, rather than being one of a rough surface that goes on.
-bool falls_away(const Host& host, const Tip& tip, const Crawl& crawl) {
+bool falls_away(const TriangleSurface& host, const Tip& tip, const Crawl& crawl) {
   return !host.closest(tip.tread.place + tip.tread.heading * (2 * crawl.speed), 0.5 * crawl.speed);
 }
 
 /// Walks a step over the surface, in strides.
-void creep(Tip& tip, const Host& host, const GroundHeight& ground, const Crawl& crawl, int step, Seed draw) {
+void creep(Tip& tip, const TriangleSurface& host, const GroundHeight& ground, const Crawl& crawl, int step,
+           Seed draw) {
   assert(!tip.hangs && crawl.speed > 0 && crawl.radius > 0);
   double lift = lift_of(crawl), rest = crawl.speed, unlaid = 0;
   const double least = 0.05 * crawl.speed;
@@ -141,7 +142,7 @@ void creep(Tip& tip, const Host& host, const GroundHeight& ground, const Crawl& 
 }
 
 /// Takes hold again where the end of the chain touches the host; ends where it has come down on the ground.
-void grip(Tip& tip, const Host& host, const Crawl& crawl) {
+void grip(Tip& tip, const TriangleSurface& host, const Crawl& crawl) {
   assert(tip.hangs);
   Chain& chain = tip.chain;
   auto touches = [&] {
@@ -171,7 +172,7 @@ void grip(Tip& tip, const Host& host, const Crawl& crawl) {
 }
 
 /// Grows a hanging strand by a link.
-void dangle(Tip& tip, const Host& host, const Crawl& crawl, int step) {
+void dangle(Tip& tip, const TriangleSurface& host, const Crawl& crawl, int step) {
   Chain& chain = tip.chain;
   if (chain.length() + chain.link > crawl.hang_most) return stop(tip, End::hung);
   std::size_t n = chain.place.size();
@@ -203,13 +204,13 @@ Tip sprout(const Tread& tread, const Crawl& crawl, Seed seed) {
   return tip;
 }
 
-std::optional<DVec3> heading_with_room(const Crowd& crowd, double spacing, const Tread& tread,
-                                       const DVec3& heading, const Crowd::Own& own, double step,
+std::optional<DVec3> heading_with_room(const SpatialHash& crowd, double spacing, const Tread& tread,
+                                       const DVec3& heading, const SpatialHash::Own& own, double step,
                                        std::vector<DVec3>& near) {
   double probe = std::max(step, 0.5 * spacing);
   crowd.gather(tread.place, tread.normal, own, spacing + probe, near);
   if (near.empty()) return heading;
-  Crowd::View straight = crowd.view(near, tread.place + heading * probe);
+  SpatialHash::View straight = crowd.view(near, tread.place + heading * probe);
   if (straight.nearest >= spacing) return heading;
   DVec3 best = heading;
   double room = straight.nearest;
@@ -235,7 +236,7 @@ std::optional<DVec3> heading_with_room(const Crowd& crowd, double spacing, const
   return std::nullopt;
 }
 
-void advance(Tip& tip, const CrawlWorld& world, const Crowd* crowd, const Crawl& crawl, int step) {
+void advance(Tip& tip, const CrawlWorld& world, const SpatialHash* crowd, const Crawl& crawl, int step) {
   tip.laid.clear();
   tip.gripped = false;
   Seed draw = tip.seed.child(static_cast<std::uint64_t>(step));

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "creeping/crawl.h"
-#include "creeping/crowd.h"
 #include "creeping/guides.h"
 #include "creeping/hang.h"
+#include "creeping/spatial_hash.h"
 #include "creeping/tread.h"
 
 namespace frond {
@@ -46,16 +46,16 @@ struct Tip {
 inline double lift_of(const Crawl& crawl) { return 0.1 * crawl.radius; }
 
 /// The value of the mask at a tread; 1 without one.
-inline double mask_at(const Crawl& crawl, const Host& host, const Tread& tread) {
+inline double mask_at(const Crawl& crawl, const TriangleSurface& host, const Tread& tread) {
   return crawl.mask ? crawl.mask->at(host, tread.triangle, tread.contact) : 1;
 }
 /// Whether nothing may creep there: by the host itself, or by the mask.
-inline bool barred(const Crawl& crawl, const Host& host, const Tread& tread) {
+inline bool barred(const Crawl& crawl, const TriangleSurface& host, const Tread& tread) {
   if (host.paint(tread.triangle, tread.contact).z < 0) return true;
   return crawl.mask && crawl.mask->stops > 0 && mask_at(crawl, host, tread) < crawl.mask->stops;
 }
 /// The distance that strands keep from each other there.
-inline double spacing_at(const Crawl& crawl, const Host& host, const Tread& tread) {
+inline double spacing_at(const Crawl& crawl, const TriangleSurface& host, const Tread& tread) {
   bool scaled = crawl.mask && crawl.mask->scaling("spacing");
   return scaled ? crawl.spacing * mask_at(crawl, host, tread) : crawl.spacing;
 }
@@ -65,18 +65,18 @@ Tip sprout(const Tread& tread, const Crawl& crawl, Seed seed);
 
 /// What tips find as they grow.
 struct CrawlWorld {
-  const Host& host;
+  const TriangleSurface& host;
   const GroundHeight& ground;  ///< must outlive the tips
   const Guides& guides;
 };
 
 /// Step number `step` (from 0) of a tip.
-void advance(Tip& tip, const CrawlWorld& world, const Crowd* crowd, const Crawl& crawl, int step);
+void advance(Tip& tip, const CrawlWorld& world, const SpatialHash* crowd, const Crawl& crawl, int step);
 
 /// A heading with `spacing` metres of room, at most the crowd's, near the wanted one; nothing where there is
 /// none. `near` is overwritten.
-std::optional<DVec3> heading_with_room(const Crowd& crowd, double spacing, const Tread& tread,
-                                       const DVec3& heading, const Crowd::Own& own, double step,
+std::optional<DVec3> heading_with_room(const SpatialHash& crowd, double spacing, const Tread& tread,
+                                       const DVec3& heading, const SpatialHash::Own& own, double step,
                                        std::vector<DVec3>& near);
 
 }  // namespace frond

@@ -28,7 +28,7 @@ DVec3 carried_along(const DVec3& heading, const DVec3& from, const DVec3& to) {
 }
 
 /// Whether the straight line between two treads cuts through the surface deeper than may be.
-bool cuts(const Host& host, const DVec3& from, const DVec3& to, double turn, double lift) {
+bool cuts(const TriangleSurface& host, const DVec3& from, const DVec3& to, double turn, double lift) {
   std::optional<Crossing> in = host.crossing(from, to);
   if (!in) return false;
   // Through a thin wall, not over an edge.
@@ -43,7 +43,8 @@ bool cuts(const Host& host, const DVec3& from, const DVec3& to, double turn, dou
 }
 
 /// Up to the wall that a stride runs into; from there it climbs.
-Stride climb(const Host& host, const Tread& from, const Crossing& wall, double length, double lift) {
+Stride climb(const TriangleSurface& host, const Tread& from, const Crossing& wall, double length,
+             double lift) {
   DVec3 face = glm::dot(wall.normal, from.heading) > 0 ? -wall.normal : wall.normal;
   double steep = std::max(-glm::dot(face, from.heading), 1e-3);
   double run = std::max(wall.share * length - lift / steep, 0.0);
@@ -66,7 +67,7 @@ Stride climb(const Host& host, const Tread& from, const Crossing& wall, double l
 }
 
 /// The stride as it is asked for; nothing where it must be shorter.
-std::optional<Stride> attempt(const Host& host, const Tread& from, double length, double lift) {
+std::optional<Stride> attempt(const TriangleSurface& host, const Tread& from, double length, double lift) {
   DVec3 ahead = from.place + from.heading * length;
   if (std::optional<Crossing> wall = host.crossing(from.place, ahead))
     return climb(host, from, *wall, length, lift);
@@ -129,7 +130,7 @@ DVec3 leaning(const DVec3& heading, const DVec3& normal, const DVec3& direction,
   return rest > 1e-6 ? flat / rest : heading;
 }
 
-Stride stride(const Host& host, const Tread& from, double length, double lift) {
+Stride stride(const TriangleSurface& host, const Tread& from, double length, double lift) {
   assert(length > 0 && lift > 0);
   assert(std::abs(glm::length(from.heading) - 1) < 1e-6 && std::abs(glm::length(from.normal) - 1) < 1e-6);
   for (int halving = 0; halving < kHalvings; ++halving, length *= 0.5)
@@ -137,8 +138,8 @@ Stride stride(const Host& host, const Tread& from, double length, double lift) {
   return {from, 0, Footing::stuck};
 }
 
-std::optional<Tread> tread_at(const Host& host, const DVec3& place, const DVec3& heading, double lift,
-                              double within) {
+std::optional<Tread> tread_at(const TriangleSurface& host, const DVec3& place, const DVec3& heading,
+                              double lift, double within) {
   std::optional<Contact> under = host.closest(place, within);
   if (!under) return std::nullopt;
   Tread t;

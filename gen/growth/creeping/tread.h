@@ -1,6 +1,6 @@
 #pragma once
 
-#include "creeping/host.h"
+#include "creeping/triangle_surface.h"
 
 namespace frond {
 
@@ -45,12 +45,12 @@ struct Stride {
 /// is transported by the shortest rotation between the normals, so that a strand that meets a wall head-on
 /// climbs it. A stride ends early at a wall, and is halved while its chord would cut deeper than 0.7 `lift`
 /// into the surface.
-Stride stride(const Host& host, const Tread& from, double length, double lift);
+Stride stride(const TriangleSurface& host, const Tread& from, double length, double lift);
 
 /// A tread at the surface point nearest to a place, or nothing where that is farther than `within`. Its side
 /// is that of the place if the place is off the surface by more than a hundredth of the lift, else the outer
 /// side. A heading of length 0 becomes steepest upward.
-std::optional<Tread> tread_at(const Host& host, const DVec3& place, const DVec3& heading, double lift,
-                              double within = std::numeric_limits<double>::infinity());
+std::optional<Tread> tread_at(const TriangleSurface& host, const DVec3& place, const DVec3& heading,
+                              double lift, double within = std::numeric_limits<double>::infinity());
 
 }  // namespace frond

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/cancellation.h"
 #include "core/cell_grid.h"
-#include "core/wanted.h"
 
 namespace frond {
 

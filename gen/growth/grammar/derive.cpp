@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "core/cancellation.h"
 #include "core/lookalike.h"
-#include "core/wanted.h"
 #include "grammar/fast.h"
 #include "grammar/forecast.h"
 #include "grammar/rewrite.h"

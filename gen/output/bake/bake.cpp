@@ -100,7 +100,7 @@ Result<LinearRaster> drawn(const SmallScene& scene, const BakeOptions& options) 
   // POV-Ray parses its options by itself and stumbles over quotes in a path.
   std::error_code error;
   fs::create_directory_symlink(fs::absolute(options.home) / "povinc", folder.path() / "povinc", error);
-  Words said;
+  OutputCapture said;
   Command command;
   command.folder = folder.path();
   command.out = command.err = said.descriptor();

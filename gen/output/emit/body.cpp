@@ -129,7 +129,7 @@ ObjectText fused_text(const PovSpace& space, const FusedMesh& mesh, const ChunkT
 }
 
 Result<ObjectText> cubes_text(const PovSpace& space, const DrawnBranches& b) {
-  Boughs limbs = b.boughs();
+  BranchVolume limbs = b.boughs();
   if (limbs.cones.empty()) return ObjectText();
   Result<Cubes> cubes = cubes_of(limbs, b.volume());
   if (!cubes) return cubes.errors();

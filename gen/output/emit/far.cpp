@@ -23,8 +23,8 @@ constexpr MeshText kLandText{.decimals = 1, .uv_decimals = -1},
     kMountainText{.decimals = 1, .uv_decimals = 2};
 
 /// All copies of one kind, shape and tint as one union.
-void append_objects(std::string& text, const PovSpace& space, const FarCountry& far, FarKind kind, int shape,
-                    int tint) {
+void append_objects(std::string& text, const PovSpace& space, const DistantTerrain& far, FarKind kind,
+                    int shape, int tint) {
   std::string_view name = kKindNames[static_cast<std::size_t>(kind)];
   std::string lines;
   for (const FarObject& o : far.objects) {
@@ -54,7 +54,7 @@ std::string far_air_text(const Scene& scene, double time) {
 }
 
 std::string far_text(const PovSpace& space, const Scene& scene) {
-  const FarCountry& far = *scene.far;
+  const DistantTerrain& far = *scene.far;
   std::string text;
   append_comment(text, "far land");
   double along = degrees(std::atan2(double{far.along.y}, double{far.along.x}));

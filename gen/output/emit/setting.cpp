@@ -123,9 +123,9 @@ std::string ground_text(const PovSpace& space, const Scene& scene) {
 std::string adrift_text(const PovSpace& space, const Scene& scene, double time) {
   std::string text;
   std::size_t number = 0;
-  for (const Strewn& kind : scene.ground->adrift(time, scene.film.length())) {
+  for (const ScatteredInstances& kind : scene.ground->adrift(time, scene.film.length())) {
     std::string lines;
-    for (const Strewn::At& at : kind.at) {
+    for (const ScatteredInstances::At& at : kind.at) {
       std::string line = fmt::format("object{{Adrift{} ", number);
       if (append_matrix(line, space, axes_of(at.turn, at.size), at.place)) lines += line + "}\n";
     }

@@ -132,7 +132,7 @@ WoodCostEstimate estimate_wood_cost(const Organism& organism, const SizeEstimate
   if (size.nodes / size.nodes_a_second + size.seconds > kGrown) return wood;
   Result<Model> one = organism.grower->grow_copy(organism, seed);
   if (!one) return wood;
-  Boughs boughs = boughs_of(one->skeleton, static_cast<float>(organism.style.blend));
+  BranchVolume boughs = boughs_of(one->skeleton, static_cast<float>(organism.style.blend));
   double blocks = estimate_volume(boughs, settled(organism.style, one->skeleton).voxel).blocks;
   // A voxel that is a share of the size gives bodies of all sizes about as many.
   if (organism.style.voxel <= 0) blocks = std::min(blocks, kOwnVoxelBlocks);

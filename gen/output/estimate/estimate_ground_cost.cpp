@@ -79,10 +79,10 @@ GroundCostEstimate estimate_ground_cost(const Preset& preset, double tall, bool 
     ground->lay_litter(scene.stage.camera);
   }
   scene.ground = std::move(ground);
-  if (std::optional<FarCountry> far = far_land_round(scene, Seed{preset.seed}.child("far"))) {
+  if (std::optional<DistantTerrain> far = far_land_round(scene, Seed{preset.seed}.child("far"))) {
     for (const FarPart& part : far->parts)
       cost.seconds += kFarVertexLaid * static_cast<double>(part.surface.position.size());
-    scene.far = std::make_shared<const FarCountry>(std::move(*far));
+    scene.far = std::make_shared<const DistantTerrain>(std::move(*far));
   }
   cost.bytes = moment ? static_cast<double>(ground_text(PovSpace{}, scene).size())
                       : kLaidTriangleText * laid.triangles + kGrassTriangleText * laid.grass +

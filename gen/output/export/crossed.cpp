@@ -216,7 +216,7 @@ Result<double> fitting_share(Maker& maker, std::span<const Sitter> shown, const 
   return (low + high) / 2;
 }
 
-/// Boughs as cards with a material of their own.
+/// BranchVolume as cards with a material of their own.
 Result<ExportPart> crossed(Maker& maker, std::vector<Bough>& boughs, int cell, bool whole,
                            const std::string& name) {
   PictureSheet sheet(static_cast<int>(boughs.size()) * (whole ? kWholeViews : kViews), cell);

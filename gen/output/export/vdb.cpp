@@ -19,7 +19,7 @@ constexpr double kLeastLimit = 4e9;   // bytes of memory, where no organism says
 
 /// The branches of a scene as they are put together.
 struct Gathered {
-  Boughs boughs;
+  BranchVolume boughs;
   std::int32_t nodes = 0;
   Bounds box;
   VolumeOptions options;

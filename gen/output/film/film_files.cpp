@@ -61,7 +61,7 @@ class ModelWriter {
       }
   }
 
-  Result<CopyPlan> write(const Watch& watch) {
+  Result<CopyPlan> write(const ProgressSink& watch) {
     std::vector<SownModel*> each, to_grow;
     for (auto& [id, one] : models_) each.push_back(&one);
     parallel_for(each.size(), [&](std::size_t i) { look_up(*each[i]); });
@@ -202,11 +202,11 @@ class ModelWriter {
 
 }  // namespace
 
-Result<CopyPlan> write_models(const Scene& scene, const fs::path& folder, const Watch& watch) {
+Result<CopyPlan> write_models(const Scene& scene, const fs::path& folder, const ProgressSink& watch) {
   return ModelWriter(scene, folder).write(watch);
 }
 
-Errors write_drawings(const Scene& scene, const fs::path& folder, const Watch& watch) {
+Errors write_drawings(const Scene& scene, const fs::path& folder, const ProgressSink& watch) {
   std::vector<const Drawing*> to_draw;
   std::set<std::string> names;  // organisms may share a picture
   for (const Drawing& drawing : scene.drawings) {

@@ -13,14 +13,15 @@ namespace frond {
 // "models".
 
 /// Plans how the copies of stands are drawn, and grows the models whose files are not in a folder yet.
-Result<CopyPlan> write_models(const Scene& scene, const std::filesystem::path& folder, const Watch& watch);
+Result<CopyPlan> write_models(const Scene& scene, const std::filesystem::path& folder,
+                              const ProgressSink& watch);
 
 /// Works out the soft light, where it is the same in all frames, and notes in `parts` where frames find it.
 /// The models must have been written.
 Errors write_light(const Scene& scene, FrameParts& parts, const std::filesystem::path& folder);
 
 /// Draws the pictures of bark and leaves that are not there yet.
-Errors write_drawings(const Scene& scene, const std::filesystem::path& folder, const Watch& watch);
+Errors write_drawings(const Scene& scene, const std::filesystem::path& folder, const ProgressSink& watch);
 
 struct FrameFile {
   bool changed = false;   ///< it was not there just so

@@ -77,8 +77,8 @@ void add_ground(SoftLight& grid, const Scene& scene, Vec3 albedo) {
   grid.add_land([&](Vec2 at) { return ground.height(at); }, albedo, static_cast<float>(cover.height),
                 static_cast<float>(cover.area));
   SurfelSampler<IntoGrid> to{IntoGrid{grid}};
-  for (const Strewn& strewn : ground.strewn())
-    for (const Strewn::At& at : strewn.at)
+  for (const ScatteredInstances& strewn : ground.strewn())
+    for (const ScatteredInstances::At& at : strewn.at)
       to.surface(*strewn.shape, linear(strewn.color), true, at.place, at.turn, at.size);
 }
 
@@ -145,7 +145,8 @@ void append_probe(std::string& text, const PovSpace& space, const Probe& probe) 
 /// The light on the far land that is in view, which nothing there hides from the sky: a lattice of places
 /// whose distances from each other grow with that from the middle. They lie behind the surfaces that they are
 /// for.
-std::vector<Probe> far_probes(const FarCountry& far, const Ambience& ambience, const std::vector<Eye>& eyes) {
+std::vector<Probe> far_probes(const DistantTerrain& far, const Ambience& ambience,
+                              const std::vector<Eye>& eyes) {
   constexpr double kStep = 0.2;   // of the distance, from one to the next
   constexpr float kCell = 0.2f;   // of the distance; what is nearer than kReuse of these takes the light
   constexpr double kFrom = 1.25;  // of the radius of the near ground, which has light of its own

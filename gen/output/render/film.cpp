@@ -45,7 +45,7 @@ bool write_all(int file, std::string_view bytes) {
 /// gets no more and is ended, and the others are only looked at.
 Encoded feed(const std::vector<fs::path>& pictures, std::vector<std::string> words) {
   Encoded result;
-  Words said;
+  OutputCapture said;
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) return {1, 0, std::strerror(errno), {}};
   Command command;
@@ -274,7 +274,7 @@ Errors copy_picture(const fs::path& picture, const fs::path& to, double dpi) {
 }
 
 int frames_in(const fs::path& film, const std::string& ffmpeg) {
-  Words said;
+  OutputCapture said;
   Command command;
   command.words = {ffmpeg,      "-hide_banner",  "-nostdin", "-loglevel", "quiet", "-nostats",
                    "-i",        file_word(film), "-map",     "0:v",       "-c",    "copy",

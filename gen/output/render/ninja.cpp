@@ -107,7 +107,7 @@ void Ninja::take(const std::string& line, End& end, const NinjaEvents& events) {
 }
 
 std::string Ninja::answer(std::vector<std::string> words) const {
-  Words said;
+  OutputCapture said;
   Command command;
   words.insert(words.begin(), "ninja");
   command.words = std::move(words);

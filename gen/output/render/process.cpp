@@ -186,15 +186,15 @@ bool StopSignals::asked() {
   return asked_;
 }
 
-Words::Words() : file_(::memfd_create("words", MFD_CLOEXEC)) {
+OutputCapture::OutputCapture() : file_(::memfd_create("words", MFD_CLOEXEC)) {
   if (file_ >= 0) ::fcntl(file_, F_SETFL, O_APPEND);
 }
 
-Words::~Words() {
+OutputCapture::~OutputCapture() {
   if (file_ >= 0) ::close(file_);
 }
 
-std::string Words::text() const {
+std::string OutputCapture::text() const {
   off_t size = ::lseek(file_, 0, SEEK_END);
   std::string text(size > 0 ? static_cast<std::size_t>(size) : 0, '\0');
   ssize_t got = ::pread(file_, text.data(), text.size(), 0);

@@ -80,12 +80,12 @@ class StopSignals {
 };
 
 /// A file without a name, for what programs say: each write goes to its end.
-class Words {
+class OutputCapture {
  public:
-  Words();
-  ~Words();
-  Words(const Words&) = delete;
-  Words& operator=(const Words&) = delete;
+  OutputCapture();
+  ~OutputCapture();
+  OutputCapture(const OutputCapture&) = delete;
+  OutputCapture& operator=(const OutputCapture&) = delete;
 
   int descriptor() const { return file_; }
   std::string text() const;

@@ -17,7 +17,7 @@ struct Answer {
 };
 
 Answer ask(std::vector<std::string> words) {
-  Words out, err;
+  OutputCapture out, err;
   Command command;
   command.words = std::move(words);
   command.out = out.descriptor();

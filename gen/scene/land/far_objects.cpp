@@ -184,9 +184,10 @@ std::vector<FarObject> far_objects(const FarLand& land, const FarView& view, See
   return all;
 }
 
-FarCountry far_country(const FarLandShape& shape, const GroundEdge& edge, const FarView& view, Seed seed) {
+DistantTerrain distant_terrain(const FarLandShape& shape, const GroundEdge& edge, const FarView& view,
+                               Seed seed) {
   FarLand land(shape, edge, seed);
-  FarCountry country{
+  DistantTerrain country{
       edge.radius, land.along(), far_mesh(land, view, seed), {}, far_objects(land, view, seed)};
   for (int kind = 0; kind < kFarKinds; ++kind) {
     bool used = std::ranges::find(country.objects, static_cast<FarKind>(kind), &FarObject::kind) !=

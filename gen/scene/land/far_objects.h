@@ -31,7 +31,7 @@ std::vector<Surface> far_shapes(FarKind kind);
 std::vector<FarObject> far_objects(const FarLand& land, const FarView& view, Seed seed);
 
 /// All that is drawn of the far land, the same in each frame of a film.
-struct FarCountry {
+struct DistantTerrain {
   double from = 0;                                     ///< metres from the middle to where it begins
   Vec2 along{1, 0};                                    ///< main direction of the parcels
   std::vector<FarPart> parts;                          ///< the land
@@ -39,6 +39,7 @@ struct FarCountry {
   std::vector<FarObject> objects;
 };
 
-FarCountry far_country(const FarLandShape& shape, const GroundEdge& edge, const FarView& view, Seed seed);
+DistantTerrain distant_terrain(const FarLandShape& shape, const GroundEdge& edge, const FarView& view,
+                               Seed seed);
 
 }  // namespace frond

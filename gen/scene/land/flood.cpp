@@ -1,5 +1,5 @@
 #include "land/flood.h"
-#include "core/wanted.h"
+#include "core/cancellation.h"
 
 #include <algorithm>
 #include <functional>

@@ -38,7 +38,7 @@ std::vector<SnowFall> falls() {
 
 double lying_share(double up) { return smooth_step(std::cos(radians(55.0)), std::cos(radians(30.0)), up); }
 
-Overhead::Overhead(Vec2 center, float side, float cell)
+CoverGrid::CoverGrid(Vec2 center, float side, float cell)
     : low_(center - side / 2),
       cell_(cell),
       side_(std::max(1, static_cast<int>(std::ceil(side / cell)))),
@@ -48,14 +48,14 @@ Overhead::Overhead(Vec2 center, float side, float cell)
   top_.assign(count, kBare);
 }
 
-bool Overhead::find(Vec2 at, std::size_t& index) const {
+bool CoverGrid::find(Vec2 at, std::size_t& index) const {
   glm::ivec2 cell(glm::floor((at - low_) / cell_));
   if (cell.x < 0 || cell.y < 0 || cell.x >= side_ || cell.y >= side_) return false;
   index = static_cast<std::size_t>(cell.y * side_ + cell.x);
   return true;
 }
 
-void Overhead::take(const Surface& body) {
+void CoverGrid::take(const Surface& body) {
   auto add = [&](std::size_t cell, float low, float high) {
     bottom_[cell] = std::min(bottom_[cell], low), top_[cell] = std::max(top_[cell], high);
     highest_ = std::max(highest_, high);
@@ -71,12 +71,12 @@ void Overhead::take(const Surface& body) {
   }
 }
 
-float Overhead::top(Vec2 at, float none) const {
+float CoverGrid::top(Vec2 at, float none) const {
   std::size_t index = 0;
   return find(at, index) && top_[index] > kBare ? top_[index] : none;
 }
 
-float Overhead::openness(Vec3 at) const {
+float CoverGrid::openness(Vec3 at) const {
   static const std::vector<SnowFall> kFalls = falls();
   constexpr float kReach = 8;  // metres to the sides
   constexpr float kOff = 0.02f;
@@ -101,7 +101,7 @@ float Overhead::openness(Vec3 at) const {
   return open / all;
 }
 
-bool Overhead::shelters(Vec3 at, Vec3 fall) const {
+bool CoverGrid::shelters(Vec3 at, Vec3 fall) const {
   float stride = cell_ / std::max(glm::length(Vec2(fall.x, fall.z)), -fall.y / 4);  // seconds
   for (std::size_t cell = 0; at.y < highest_ && find({at.x, at.z}, cell); at -= stride * fall)
     if (at.y < top_[cell] && at.y - stride * fall.y > bottom_[cell]) return true;
@@ -163,7 +163,7 @@ void blur(SquareField& field, int times) {
 
 /// How much the wind lays down or takes at a place, as a factor: by the steepest rise of what stands before
 /// the wind, and behind it.
-float drifted(const SnowLand& land, const Overhead& bodies, const SnowWind& wind, Vec2 at) {
+float drifted(const SnowLand& land, const CoverGrid& bodies, const SnowWind& wind, Vec2 at) {
   constexpr float kLee = 5;  // metres
   if (wind.drift <= 0) return 1;
   auto height = static_cast<float>(land.height(at));
@@ -192,7 +192,7 @@ float hollow(const std::vector<SnowTrunk>& trunks, Vec2 at) {
 
 }  // namespace
 
-SnowSheet snow_on_ground(const SnowLand& land, const Overhead& bodies, const SnowWind& wind, Seed seed) {
+SnowSheet snow_on_ground(const SnowLand& land, const CoverGrid& bodies, const SnowWind& wind, Seed seed) {
   Surface mesh = ground_surface(land.height, land.center, {land.radius, land.rings});
   SquareField field{land.center - 12.0f, 0.08f, 301, {}};
   field.value.resize(static_cast<std::size_t>(field.side) * static_cast<std::size_t>(field.side));

@@ -24,10 +24,10 @@ struct SnowWind {
 };
 
 /// What stands in a square, seen from above: in each cell the lowest and the highest place of all faces.
-class Overhead {
+class CoverGrid {
  public:
   /// The square about `center` (x, z), with its side and that of its cells; metres.
-  Overhead(Vec2 center, float side, float cell);
+  CoverGrid(Vec2 center, float side, float cell);
 
   void take(const Surface& body);
 
@@ -84,6 +84,6 @@ struct SnowLand {
 
 /// The snow on the ground: less below what shelters it, hollow at trunks, drifts in the lee of `bodies` and
 /// none before them (Winstral and others 2002), waves of wind-blown snow between.
-SnowSheet snow_on_ground(const SnowLand& land, const Overhead& bodies, const SnowWind& wind, Seed seed);
+SnowSheet snow_on_ground(const SnowLand& land, const CoverGrid& bodies, const SnowWind& wind, Seed seed);
 
 }  // namespace frond

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "land/likings.h"
 #include "land/plant_grid.h"
+#include "land/suitability.h"
 
 namespace frond {
 
@@ -54,12 +54,12 @@ double grown_at(const Land& land, const SowRules& rules, Vec2 at) {
 }
 
 /// Where a plant of a size in the warmth finds room, if it does.
-std::optional<Vec2> find_room(const Field& field, const Likings& likings, const SowOrder& order, Seed own,
+std::optional<Vec2> find_room(const Field& field, const Suitability& likings, const SowOrder& order, Seed own,
                               double warm_size) {
   if (likings.none()) return {};
   for (std::uint64_t i = 0; i < kDarts; ++i) {
     Seed toss = own.child("dart").child(i);
-    Likings::Dart dart = likings.dart(toss);
+    Suitability::Dart dart = likings.dart(toss);
     double size = warm_size * grown_at(field.land, order.rules, dart.at);
     if (!field.free(dart.at, order.rules.radius * size, order.rules.stem * size, layer_of(order))) continue;
     if (likings(dart.at) > dart.likely * toss.child(3).unit()) return dart.at;
@@ -107,7 +107,7 @@ std::vector<Turn> turns_of(std::span<const SowOrder> orders, std::size_t layer) 
 using Places = std::vector<std::vector<std::optional<Vec2>>>;  // of each plant of each order
 
 void sow_layer(std::span<const SowOrder> orders, std::size_t layer, Field& field, Places& places) {
-  std::vector<std::optional<Likings>> likings(orders.size());
+  std::vector<std::optional<Suitability>> likings(orders.size());
   for (std::size_t o = 0; o < orders.size(); ++o)
     if (layer_of(orders[o]) == layer)
       likings[o].emplace(orders[o].rules, field.land, std::span(field.beds).first(layer), orders[o].seed);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/lots.h"
+#include "core/discrete_distribution.h"
 #include "land/herb.h"
 
 namespace frond {
@@ -177,7 +177,7 @@ class Sower {
   const TurfShape& shape_;
   Seed seed_;
   Turf turf_;
-  Lots lots_;  // of the sward
+  DiscreteDistribution lots_;  // of the sward
   float bare_ = 0, own_ = 0;
 };
 

@@ -6,7 +6,7 @@ namespace frond {
 
 Surroundings::Surroundings(const World& world, std::size_t claim, const Placement& placement)
     : world_(&world), claim_(claim), placement_(placement) {
-  if (Result<std::shared_ptr<const Host>> host = world.host({}, "")) host_ = *host;
+  if (Result<std::shared_ptr<const TriangleSurface>> host = world.host({}, "")) host_ = *host;
 }
 
 float Surroundings::room(Vec3 at, float within) const {

@@ -41,7 +41,7 @@ class Surroundings {
   Vec3 outside(Vec3 at) const { return placement_.foot + placement_.turn * (at * placement_.size); }
 
   const World* world_ = nullptr;
-  std::shared_ptr<const Host> host_;
+  std::shared_ptr<const TriangleSurface> host_;
   std::size_t claim_ = SIZE_MAX;
   Placement placement_;
 };

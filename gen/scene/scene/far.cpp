@@ -57,13 +57,13 @@ FarView far_view(const Film& film, const Camera& camera) {
   return view;
 }
 
-std::optional<FarCountry> far_land_round(const Scene& scene, Seed seed) {
+std::optional<DistantTerrain> far_land_round(const Scene& scene, Seed seed) {
   GroundEdge edge = scene.ground->edge();
   if (edge.radius <= 0 || (!scene.stage.far && !edge.country)) return std::nullopt;
   FarLandShape shape = scene.stage.far.value_or(FarLandShape{});
   if (shape.reach <= edge.radius) return std::nullopt;
   shape.shaded = shaded_side(scene.stage);
-  return far_country(shape, edge, far_view(scene.film, scene.stage.camera), seed);
+  return distant_terrain(shape, edge, far_view(scene.film, scene.stage.camera), seed);
 }
 
 namespace {
@@ -80,7 +80,7 @@ SownStand& stand_named(Scene& scene, const Preset& preset, const std::string& na
 
 }  // namespace
 
-void plant_far_trees(Scene& scene, const Preset& preset, FarCountry& far, Seed seed) {
+void plant_far_trees(Scene& scene, const Preset& preset, DistantTerrain& far, Seed seed) {
   if (!scene.stage.far || scene.stage.far->trees.empty()) return;
   const std::vector<std::string>& names = scene.stage.far->trees;
   auto is_tree = [](const FarObject& o) {
@@ -106,7 +106,7 @@ void plant_far_trees(Scene& scene, const Preset& preset, FarCountry& far, Seed s
   far.shapes[static_cast<std::size_t>(FarKind::conifer)].clear();
 }
 
-std::vector<Strewn> strewn_far(const FarCountry& far) {
+std::vector<ScatteredInstances> strewn_far(const DistantTerrain& far) {
   constexpr std::array<Color, kFarCovers> kColors{{{0.39f, 0.46f, 0.17f},
                                                    {0.50f, 0.52f, 0.26f},
                                                    {0.36f, 0.43f, 0.18f},
@@ -118,12 +118,12 @@ std::vector<Strewn> strewn_far(const FarCountry& far) {
                                                    {0.54f, 0.53f, 0.50f}}};
   constexpr std::array<Color, kFarKinds> kKinds{
       {{0.26f, 0.34f, 0.13f}, {0.17f, 0.24f, 0.12f}, {0.25f, 0.33f, 0.13f}, {0.75f, 0.68f, 0.60f}}};
-  std::vector<Strewn> list;
+  std::vector<ScatteredInstances> list;
   for (const FarPart& part : far.parts)
     list.push_back({&part.surface, kColors[static_cast<std::size_t>(part.cover)], {{}}});
   for (std::size_t kind = 0; kind < kFarKinds; ++kind)
     for (std::size_t shape = 0; shape < far.shapes[kind].size(); ++shape) {
-      Strewn copies{&far.shapes[kind][shape], kKinds[kind], {}};
+      ScatteredInstances copies{&far.shapes[kind][shape], kKinds[kind], {}};
       for (const FarObject& o : far.objects)
         if (o.kind == static_cast<FarKind>(kind) && o.shape == static_cast<int>(shape))
           copies.at.push_back({o.foot, glm::angleAxis(o.turn, Vec3(0, 1, 0)), o.size});

@@ -64,10 +64,10 @@ const Glance* glance_inside(const Specimen& specimen, const std::vector<Glance>&
   return nullptr;
 }
 
-const Glance* glance_inside(const Strewn& stones, const std::vector<Glance>& glances) {
+const Glance* glance_inside(const ScatteredInstances& stones, const std::vector<Glance>& glances) {
   const Bounds box = bounds_of(stones.shape->position);
   for (const Glance& glance : glances)
-    for (const Strewn::At& stone : stones.at) {
+    for (const ScatteredInstances::At& stone : stones.at) {
       Vec3 at = glm::conjugate(stone.turn) * (glance.at - stone.place) / stone.size;
       if (holds(box, at) && winding_number(*stones.shape, at) > kInside) return &glance;
     }
@@ -100,7 +100,7 @@ std::string inside_something(const Scene& scene) {
     if (const Glance* glance = glance_inside(s, glances))
       return said(s.name.empty() ? fmt::format("/organisms/{}", s.entry) : fmt::format("\"{}\"", s.name),
                   *glance);
-  for (const Strewn& stones : scene.ground->strewn())
+  for (const ScatteredInstances& stones : scene.ground->strewn())
     if (const Glance* glance = glance_inside(stones, glances)) return said("a stone on the ground", *glance);
   return "";
 }

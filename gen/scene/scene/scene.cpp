@@ -9,7 +9,7 @@
 #include <map>
 #include <utility>
 
-#include "core/wanted.h"
+#include "core/cancellation.h"
 #include "dress/mask_drawing.h"
 #include "organisms/kinds.h"
 #include "preset/json.h"
@@ -110,8 +110,9 @@ std::vector<Specimen> in_order(std::vector<Specimen> all, const Preset& preset) 
 /// What lies about, as one mesh.
 Surface strewn_surface(const Grounds& ground) {
   Surface all;
-  for (const Strewn& strewn : ground.strewn())
-    for (const Strewn::At& at : strewn.at) append_placed(all, *strewn.shape, at.place, at.turn, at.size);
+  for (const ScatteredInstances& strewn : ground.strewn())
+    for (const ScatteredInstances::At& at : strewn.at)
+      append_placed(all, *strewn.shape, at.place, at.turn, at.size);
   all.uv.clear();
   return all;
 }
@@ -140,7 +141,7 @@ void note_camera(Scene& scene, const Preset& preset) {
 
 /// The phase "grow".
 Result<GrownStages> grow_in(World& world, const Preset& preset, const std::vector<Bed>& beds,
-                            const Grounds& ground, const Watch& watch, SpecimenCache* cache,
+                            const Grounds& ground, const ProgressSink& watch, SpecimenCache* cache,
                             const EntryFilter& only) {
   std::size_t steps = 0;
   for (const Bed& bed : beds) steps += steps_of(bed);
@@ -150,12 +151,12 @@ Result<GrownStages> grow_in(World& world, const Preset& preset, const std::vecto
   return grow_stages(preset, beds, ground.floor(), watch, cache, only, world);
 }
 
-Result<Scene> build_all(const Preset& preset, const Watch& watch, SpecimenCache* cache,
+Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, SpecimenCache* cache,
                         const EntryFilter& only);
 
 /// The scene once more, for a camera that has stepped back. `before`: entries that grew the first time.
 Result<Scene> build_wider(const Preset& preset, Camera camera, std::vector<std::size_t> before,
-                          const Watch& watch, SpecimenCache* cache, const EntryFilter& only) {
+                          const ProgressSink& watch, SpecimenCache* cache, const EntryFilter& only) {
   Preset wider = preset;
   wider.stage.camera = std::move(camera);
   wider.stage.camera.fit.clear(), wider.stage.camera.follow = false;
@@ -229,7 +230,7 @@ std::string Scene::check() const {
 
 namespace {
 
-Result<Scene> build_all(const Preset& preset, const Watch& watch, SpecimenCache* cache,
+Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, SpecimenCache* cache,
                         const EntryFilter& only) {
   // What has grown may be needed once more, see below.
   if (SpecimenCache own; !cache && !preset.stage.camera.fit.empty())
@@ -288,7 +289,7 @@ Result<Scene> build_all(const Preset& preset, const Watch& watch, SpecimenCache*
   ground->lay_litter(scene.stage.camera);
   watch.step();
   if (is_snowy(scene.stage) || is_rainy(scene.stage))
-    scene.overhead = std::make_shared<const Overhead>(bodies_overhead(scene));
+    scene.overhead = std::make_shared<const CoverGrid>(bodies_overhead(scene));
   std::optional<Specimen> snow = lying_snow(scene, *ground, seed.child("snow"));
   watch.step();
   if (is_snowy(scene.stage)) load_boughs(scene, preset);
@@ -296,9 +297,9 @@ Result<Scene> build_all(const Preset& preset, const Watch& watch, SpecimenCache*
   std::optional<Specimen> water = standing_water(scene, *ground);
   watch.step();
   scene.ground = std::move(ground);
-  if (std::optional<FarCountry> far = far_land_round(scene, seed.child("far"))) {
+  if (std::optional<DistantTerrain> far = far_land_round(scene, seed.child("far"))) {
     plant_far_trees(scene, preset, *far, seed.child("far trees"));
-    scene.far = std::make_shared<const FarCountry>(std::move(*far));
+    scene.far = std::make_shared<const DistantTerrain>(std::move(*far));
   }
   watch.step();
   note_camera(scene, preset);
@@ -319,12 +320,12 @@ Result<Scene> build_all(const Preset& preset, const Watch& watch, SpecimenCache*
 
 }  // namespace
 
-Result<Scene> build_scene(const Preset& preset, const Watch& watch, SpecimenCache* cache,
+Result<Scene> build_scene(const Preset& preset, const ProgressSink& watch, SpecimenCache* cache,
                           const EntryFilter& only) {
   Result<Scene> scene = Error{"", "given up"};
   try {
-    while_wanted(watch.given_up, [&] { scene = build_all(preset, watch, cache, only); });
-  } catch (const GivenUp&) {
+    while_wanted(watch.cancelled, [&] { scene = build_all(preset, watch, cache, only); });
+  } catch (const Cancelled&) {
   }
   return scene;
 }

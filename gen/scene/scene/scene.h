@@ -69,10 +69,10 @@ struct SownStand {
 struct Scene {
   Film film;
   Stage stage;
-  Seed seed;                                 ///< the preset's
-  std::shared_ptr<const Grounds> ground;     ///< that of the stage's setting
-  std::shared_ptr<const FarCountry> far;     ///< the land beyond the ground; null: none
-  std::shared_ptr<const Overhead> overhead;  ///< bodies that keep off snow and rain; null: it is dry
+  Seed seed;                                  ///< the preset's
+  std::shared_ptr<const Grounds> ground;      ///< that of the stage's setting
+  std::shared_ptr<const DistantTerrain> far;  ///< the land beyond the ground; null: none
+  std::shared_ptr<const CoverGrid> overhead;  ///< bodies that keep off snow and rain; null: it is dry
   std::vector<Specimen> specimens;
   std::vector<SownStand> stands;
   std::vector<Drawing> drawings;   ///< pictures that frames name, to be put beside them
@@ -94,10 +94,11 @@ struct Scene {
 };
 
 /// Whom build_scene tells how far it is.
-struct Watch {
+struct ProgressSink {
   std::function<void(std::string_view phase, std::size_t steps)> begin;
-  std::function<void()> step;           ///< one more of the phase is done; called from several threads
-  std::function<bool()> given_up = {};  ///< whether nobody waits for the scene any more; empty: somebody does
+  std::function<void()> step;  ///< one more of the phase is done; called from several threads
+  std::function<bool()> cancelled =
+      {};  ///< whether nobody waits for the scene any more; empty: somebody does
 };
 
 class SpecimenCache;
@@ -109,7 +110,7 @@ using EntryFilter = std::optional<std::set<std::size_t>>;
 
 /// Places and grows everything, and lays what is round it: the phases "place", "grow" and "surround". What a
 /// cache has is taken from there. A scene that is given up is an error, soon and wherever the work is.
-Result<Scene> build_scene(const Preset& preset, const Watch& watch = {[](auto, auto) {}, [] {}},
+Result<Scene> build_scene(const Preset& preset, const ProgressSink& watch = {[](auto, auto) {}, [] {}},
                           SpecimenCache* cache = nullptr, const EntryFilter& only = {});
 
 }  // namespace frond

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/lots.h"
+#include "core/discrete_distribution.h"
 #include "core/triangle.h"
 #include "scene/entry_seeds.h"
 
@@ -17,8 +17,8 @@ constexpr int kFruitlessDarts = 1000;  // in a row, before it is given up
 constexpr double kPlumb = 1e3;         // metres above and below, that a plumb line goes
 
 /// The triangles that a colony may stand on.
-Lots lots_on(const Host& host) {
-  Lots lots;
+DiscreteDistribution lots_on(const TriangleSurface& host) {
+  DiscreteDistribution lots;
   for (std::uint32_t t = 0; t < host.triangles().size(); ++t) {
     const auto& [a, b, c] = host.triangles()[t];
     lots.add(host.face_normal(t).y > kOverhang ? triangle_area(a, b, c) : 0);
@@ -27,7 +27,7 @@ Lots lots_on(const Host& host) {
 }
 
 /// A place on the host, each as likely as any other.
-Planting draw_place(const Host& host, const Lots& lots, Seed lot) {
+Planting draw_place(const TriangleSurface& host, const DiscreteDistribution& lots, Seed lot) {
   auto t = static_cast<std::uint32_t>(lots.drawn(lot.child("triangle").unit()));
   const auto& [a, b, c] = host.triangles()[t];
   Vec3 share(drawn_weights(lot.child("u").unit(), lot.child("v").unit()));
@@ -50,7 +50,7 @@ Errors settle_on_bodies(const Preset& preset, Bed& bed, const World& world, std:
                         std::vector<std::string>& notes) {
   const Organism& organism = *bed.organism;
   const Place& place = organism.place;
-  Result<std::shared_ptr<const Host>> host = world.host(place.on, organism.name);
+  Result<std::shared_ptr<const TriangleSurface>> host = world.host(place.on, organism.name);
   if (!host)
     return {Error{fmt::format("/organisms/{}/place/on", bed.entry),
                   host.errors().front().what + "; expected bodies to stand on, such as rocks"}};
@@ -64,7 +64,7 @@ Errors settle_on_bodies(const Preset& preset, Bed& bed, const World& world, std:
     }
     settled.push_back({planting.foot, room});
   }
-  Lots lots = lots_on(**host);
+  DiscreteDistribution lots = lots_on(**host);
   if (lots.sum() <= 0) return {};
   Seed darts = bed.seed.child("settle");
   int fruitless = 0;

@@ -166,8 +166,8 @@ void load_boughs(Scene& scene, const Preset& preset) {
   });
 }
 
-Overhead bodies_overhead(const Scene& scene) {
-  Overhead bodies(seen_ground(scene.stage.camera, scene.film.length()).first, 2 * kAround, 0.08f);
+CoverGrid bodies_overhead(const Scene& scene) {
+  CoverGrid bodies(seen_ground(scene.stage.camera, scene.film.length()).first, 2 * kAround, 0.08f);
   for (const Surface& skin : skins_of(scene)) bodies.take(skin);
   return bodies;
 }
@@ -177,7 +177,7 @@ std::optional<Specimen> lying_snow(const Scene& scene, Grounds& ground, Seed see
   double deepest = snow.deepest();
   if (!is_snowy(scene.stage) || deepest <= 0) return {};
   auto [middle, reach] = seen_ground(scene.stage.camera, scene.film.length());
-  const Overhead& bodies = *scene.overhead;
+  const CoverGrid& bodies = *scene.overhead;
   double sown = ground.land({}).size;
   auto kept = [&](Vec2 at) { return snow.depth_map.on_land(at, sown); };
   auto seat = [&](Vec2 at) { return static_cast<double>(ground.seat(at, 0, seed)); };

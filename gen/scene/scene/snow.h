@@ -8,7 +8,7 @@ namespace frond {
 int snow_rings(Quality quality);
 
 /// The bodies of a scene near its camera, as falling snow meets them.
-Overhead bodies_overhead(const Scene& scene);
+CoverGrid bodies_overhead(const Scene& scene);
 
 /// Lays snow on the branches of what has grown, and says when it comes down from them.
 void load_boughs(Scene& scene, const Preset& preset);

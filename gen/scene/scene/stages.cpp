@@ -7,9 +7,9 @@
 #include <iterator>
 #include <utility>
 
+#include "core/cancellation.h"
 #include "core/content.h"
 #include "core/parallel.h"
-#include "core/wanted.h"
 #include "organisms/describe.h"
 #include "organisms/describe_events.h"
 #include "organisms/kinds.h"
@@ -32,7 +32,7 @@ std::string dates_text(const Preset& preset) {
 /// Grows the beds of a scene stage by stage and adds them to the world.
 class SceneBuilder {
  public:
-  SceneBuilder(const Preset& preset, const Watch& watch, SpecimenCache* cache, const EntryFilter& only,
+  SceneBuilder(const Preset& preset, const ProgressSink& watch, SpecimenCache* cache, const EntryFilter& only,
                const Surface& floor)
       : preset_(preset), watch_(watch), cache_(cache), only_(only) {
     if (!cache_) return;
@@ -231,7 +231,7 @@ class SceneBuilder {
   }
 
   const Preset& preset_;
-  const Watch& watch_;
+  const ProgressSink& watch_;
   SpecimenCache* cache_;
   const EntryFilter& only_;
   std::string land_;          // a hash of it
@@ -248,7 +248,7 @@ std::size_t steps_of(const Bed& bed) {
 }
 
 Result<GrownStages> grow_stages(const Preset& preset, const std::vector<Bed>& beds, const Surface& floor,
-                                const Watch& watch, SpecimenCache* cache, const EntryFilter& only,
+                                const ProgressSink& watch, SpecimenCache* cache, const EntryFilter& only,
                                 World& world) {
   SceneBuilder builder(preset, watch, cache, only, floor);
   if (Errors errors = builder.grow_all(beds, world); !errors.empty()) return errors;

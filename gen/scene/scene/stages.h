@@ -25,7 +25,7 @@ std::size_t steps_of(const Bed& bed);
 
 /// Grows the beds of a scene stage by stage and adds them to the world.
 Result<GrownStages> grow_stages(const Preset& preset, const std::vector<Bed>& beds, const Surface& floor,
-                                const Watch& watch, SpecimenCache* cache, const EntryFilter& only,
+                                const ProgressSink& watch, SpecimenCache* cache, const EntryFilter& only,
                                 World& world);
 
 }  // namespace frond

@@ -135,14 +135,14 @@ std::vector<Specimen> ForestGround::furnishings() const {
   return stones.model.solids.size() == 0 ? std::vector<Specimen>{} : std::vector{std::move(stones)};
 }
 
-std::vector<Strewn> ForestGround::strewn() const {
+std::vector<ScatteredInstances> ForestGround::strewn() const {
   if (!stream().flows()) return {};
   return {{&bed_, {0.36f, 0.31f, 0.25f}, {{}}}, {&water_, {0.30f, 0.36f, 0.34f}, {{}}, true}};
 }
 
-std::vector<Strewn> ForestGround::adrift(double time, double loop) const {
+std::vector<ScatteredInstances> ForestGround::adrift(double time, double loop) const {
   if (!stream().flows()) return {};
-  std::vector<Strewn> kinds;
+  std::vector<ScatteredInstances> kinds;
   for (std::size_t k = 0; k < leaves_.size(); ++k) kinds.push_back({&leaves_[k], kLeafColors[k], {}});
   for (const Afloat& leaf : stream().leaves(time, loop))
     kinds[static_cast<std::size_t>(leaf.kind) % kinds.size()].at.push_back(

@@ -36,8 +36,8 @@ class ForestGround final : public Grounds {
   float seat(Vec2 at, double, Seed) override { return height(at); }
   Land land(std::vector<Spot> taken) const override;
   std::vector<Specimen> furnishings() const override;
-  std::vector<Strewn> strewn() const override;
-  std::vector<Strewn> adrift(double time, double loop) const override;
+  std::vector<ScatteredInstances> strewn() const override;
+  std::vector<ScatteredInstances> adrift(double time, double loop) const override;
   std::vector<Patches> patches() const override;
   LowCover low_cover() const override { return {.height = 0.05, .area = 0.5}; }
   /// The wood hides what is far off: there is none unless a preset asks for it.

@@ -308,7 +308,7 @@ Land Lawn::land(std::vector<Spot> taken) const {
   return land;
 }
 
-std::vector<Strewn> Lawn::strewn() const {
+std::vector<ScatteredInstances> Lawn::strewn() const {
   if (water_.triangle.empty()) return {};
   return {{&water_, Color{0.20f, 0.29f, 0.27f}, {{}}, true}};
 }

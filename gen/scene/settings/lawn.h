@@ -51,7 +51,7 @@ class Lawn final : public Grounds {
   float seat(Vec2 at, double rock, Seed seed) override;
   Land land(std::vector<Spot> taken) const override;
   bool under_water(Vec2 at) const override { return planned_ && plot_.pond_distance(at) < 0; }
-  std::vector<Strewn> strewn() const override;
+  std::vector<ScatteredInstances> strewn() const override;
   std::vector<Patches> patches() const override;
   std::vector<Specimen> furnishings() const override;
   LowCover low_cover() const override;

@@ -102,7 +102,7 @@ inline constexpr std::size_t kBackdropStops = 6;
 Vec3 backdrop_at(const Daylight& light, float height);
 
 /// Copies of one shape on the ground, for a quick look.
-struct Strewn {
+struct ScatteredInstances {
   const Surface* shape = nullptr;  ///< owned by the grounds
   Color color;
   struct At {
@@ -162,10 +162,10 @@ class Grounds {
   /// Growing or floating parts that belong to the setting itself.
   virtual std::vector<Specimen> furnishings() const = 0;
   /// Loose objects large enough to show in a quick look.
-  virtual std::vector<Strewn> strewn() const { return {}; }
+  virtual std::vector<ScatteredInstances> strewn() const { return {}; }
   /// What drifts over it at a time, seconds; in a film that loops after `loop` seconds, 0 it does not, the
   /// same after that.
-  virtual std::vector<Strewn> adrift(double /*time*/, double /*loop*/) const { return {}; }
+  virtual std::vector<ScatteredInstances> adrift(double /*time*/, double /*loop*/) const { return {}; }
   /// What covers the ground, as meshes.
   virtual std::vector<Patches> patches() const { return {}; }
   virtual LowCover low_cover() const { return {}; }

@@ -118,10 +118,10 @@ float SeaFloor::seat(Vec2 at, double rock, Seed seed) {
   return rock > 0 ? lay_stone(at, static_cast<float>(rock), 0.3f, seed.child("rock")) : height(at);
 }
 
-std::vector<Strewn> SeaFloor::strewn() const {
-  std::vector<Strewn> list;
+std::vector<ScatteredInstances> SeaFloor::strewn() const {
+  std::vector<ScatteredInstances> list;
   for (std::size_t shape = 0; shape < stones.size(); ++shape) {
-    Strewn& all = list.emplace_back(Strewn{&stones[shape], kStone, {}});
+    ScatteredInstances& all = list.emplace_back(ScatteredInstances{&stones[shape], kStone, {}});
     for (const StoneInstance& stone : stone_instances)
       if (stone.shape == static_cast<int>(shape))
         all.at.push_back(

@@ -39,7 +39,7 @@ class SeaFloor final : public Grounds {
   void strew(TakenSpots& taken) override;
   float seat(Vec2 at, double rock, Seed seed) override;
   Land land(std::vector<Spot> taken) const override;
-  std::vector<Strewn> strewn() const override;
+  std::vector<ScatteredInstances> strewn() const override;
   std::vector<Specimen> furnishings() const override { return {}; }
   std::size_t bytes() const override;
   std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>&, const Camera&,

@@ -34,10 +34,10 @@ Result<Obstacles> Obstacles::build(std::span<const Surface> bodies) {
     obstacles.boxes_.push_back(bounds_of(body.position));
   }
   if (all.triangle.empty()) return obstacles;
-  Result<Host> host = Host::build(all, "the bodies that branches bend round");
+  Result<TriangleSurface> host = TriangleSurface::build(all, "the bodies that branches bend round");
   if (!host && mend_surface(all).corners.empty()) return Obstacles();
   if (!host) return host.errors();
-  obstacles.host_ = std::make_shared<const Host>(std::move(*host));
+  obstacles.host_ = std::make_shared<const TriangleSurface>(std::move(*host));
   return obstacles;
 }
 

@@ -7,7 +7,7 @@
 
 #include "core/bounds.h"
 #include "core/detour.h"
-#include "creeping/host.h"
+#include "creeping/triangle_surface.h"
 
 namespace frond {
 
@@ -25,8 +25,8 @@ class Obstacles {
   std::optional<Vec3> way(Vec3 from, Vec3 to, float clearance) const;
 
  private:
-  std::shared_ptr<const Host> host_;  // of all of them
-  std::vector<Bounds> boxes_;         // of each
+  std::shared_ptr<const TriangleSurface> host_;  // of all of them
+  std::vector<Bounds> boxes_;                    // of each
 };
 
 }  // namespace frond

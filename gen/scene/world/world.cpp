@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/wanted.h"
+#include "core/cancellation.h"
 
 namespace frond {
 
@@ -37,13 +37,13 @@ World::HostOrNot World::build_host(const std::vector<std::string>& names) const 
     return Error{
         "", fmt::format("nothing stands here{} to grow on; expected a body such as a wall, a rock or a mesh",
                         names.empty() ? "" : fmt::format(" of \"{}\"", fmt::join(names, "\", \"")))};
-  Result<Host> host = Host::build(all, "");
+  Result<TriangleSurface> host = TriangleSurface::build(all, "");
   if (!host) return host.errors();
-  return std::make_shared<const Host>(std::move(*host));
+  return std::make_shared<const TriangleSurface>(std::move(*host));
 }
 
-Result<std::shared_ptr<const Host>> World::host(const std::vector<std::string>& names,
-                                                std::string_view asker) const {
+Result<std::shared_ptr<const TriangleSurface>> World::host(const std::vector<std::string>& names,
+                                                           std::string_view asker) const {
   std::scoped_lock lock(hosts_in_work_);
   auto known = hosts_.find(names);
   // Threads build in a pool that this one is of. What it might take up meanwhile asks here, too, so it takes
@@ -69,7 +69,7 @@ Result<std::shared_ptr<const Obstacles>> World::obstacles() const {
 }
 
 double World::open_sky(const DVec3& at) const {
-  Result<std::shared_ptr<const Host>> bodies = host({}, "");
+  Result<std::shared_ptr<const TriangleSurface>> bodies = host({}, "");
   if (!bodies) return 1;
   double open = 0;
   for (int ring = 0; ring < kSkyRings; ++ring) {

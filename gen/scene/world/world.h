@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/events.h"
-#include "creeping/host.h"
+#include "creeping/triangle_surface.h"
 #include "land/scatter.h"
 #include "world/obstacles.h"
 #include "world/specimen.h"
@@ -58,8 +58,8 @@ class World {
 
   /// The bodies of those names (empty: all) as one host for closest points and rays. Built once per list of
   /// names, and found once that there is none. An error that names `asker` if there is no body.
-  Result<std::shared_ptr<const Host>> host(const std::vector<std::string>& names,
-                                           std::string_view asker) const;
+  Result<std::shared_ptr<const TriangleSurface>> host(const std::vector<std::string>& names,
+                                                      std::string_view asker) const;
 
   /// The bodies, without those of the setting, as what limbs bend round. Made once.
   Result<std::shared_ptr<const Obstacles>> obstacles() const;
@@ -75,7 +75,7 @@ class World {
   void settle(Territories territories) { territories_ = std::move(territories); }
 
  private:
-  using HostOrNot = Result<std::shared_ptr<const Host>>;
+  using HostOrNot = Result<std::shared_ptr<const TriangleSurface>>;
   HostOrNot build_host(const std::vector<std::string>& names) const;
 
   TakenSpots taken_;

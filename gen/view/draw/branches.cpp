@@ -124,8 +124,8 @@ Surface DrawnBranches::coat_surface(Vec3 eye, double pixel) const {
 
 std::vector<bool> DrawnBranches::coatless(double pixel) const { return left_out(rest(), tube_shape(pixel)); }
 
-Boughs DrawnBranches::boughs_at(const std::vector<Vec3>& position) const {
-  Boughs boughs;
+BranchVolume DrawnBranches::boughs_at(const std::vector<Vec3>& position) const {
+  BranchVolume boughs;
   add_boughs(boughs, rest(), position, pose.radius, pose.front, static_cast<float>(traits.style.blend));
   return boughs;
 }
@@ -143,7 +143,7 @@ std::vector<Vec3> DrawnBranches::unmoved() const {
 Result<FusedMesh> DrawnBranches::body() const {
   bool rough = traits.style.build == Build::rough;
   std::vector<Vec3> unmoved_at = rough ? unmoved() : std::vector<Vec3>();
-  Boughs limbs = rough ? boughs_at(unmoved_at) : boughs();
+  BranchVolume limbs = rough ? boughs_at(unmoved_at) : boughs();
   if (limbs.cones.empty()) return FusedMesh{};
   if (rough) return roughen(limbs, volume(), {unmoved_at, pose.position, pose.turn});
   if (traits.style.build == Build::fused) return fuse(limbs, volume());

@@ -48,7 +48,7 @@ struct DrawnBranches {
   TubeShape tube_shape(double pixel) const;
 
   /// Those that growth has reached, as a volume is made from them.
-  Boughs boughs() const { return boughs_at(pose.position); }
+  BranchVolume boughs() const { return boughs_at(pose.position); }
   VolumeOptions volume() const {
     const Style& style = traits.style;
     return {style.voxel, style.adaptivity, style.limit, style.roughness};
@@ -58,7 +58,7 @@ struct DrawnBranches {
   Result<FusedMesh> body() const;
 
  private:
-  Boughs boughs_at(const std::vector<Vec3>& position) const;
+  BranchVolume boughs_at(const std::vector<Vec3>& position) const;
   /// Where the nodes would be if nothing but growth moved them.
   std::vector<Vec3> unmoved() const;
 };

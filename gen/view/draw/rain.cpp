@@ -27,7 +27,7 @@ struct Column {
   Vec3 mean, wind;    ///< metres a second: always, and now
   double rate, most;  ///< mm/h now, and at most in the film
   double time, open, film_length;
-  const Overhead* overhead;  ///< bodies that keep drops off; null: none
+  const CoverGrid* overhead;  ///< bodies that keep drops off; null: none
 
   /// Its drops that show; `at`: its corner, x and z.
   void drops(Vec2 at, const Seed& seed, std::vector<Streak>& into) const {

@@ -3,8 +3,8 @@
 #include <array>
 #include <utility>
 
+#include "core/cancellation.h"
 #include "core/vec.h"
-#include "core/wanted.h"
 
 namespace frond {
 

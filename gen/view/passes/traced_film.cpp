@@ -140,15 +140,16 @@ void TracedFilm::Parts::add_ground(std::vector<Placed>& things) const {
   if (!ground.floor().triangle.empty())
     things.push_back(placed({ThingKind::floor}, mesh_of(ground.floor(), thrown), kHere));
   std::uint32_t number = 0;
-  for (const Strewn& strewn : ground.strewn()) {
+  for (const ScatteredInstances& strewn : ground.strewn()) {
     auto mesh = mesh_of(*strewn.shape, strewn.water ? none : thrown);
     ThingKind kind = strewn.water ? ThingKind::water : ThingKind::stone;
-    for (const Strewn::At& at : strewn.at)
+    for (const ScatteredInstances::At& at : strewn.at)
       things.push_back(placed({kind, 0, number++}, mesh, {at.place, at.turn, at.size}));
   }
-  for (const Strewn& strewn : scene.far ? strewn_far(*scene.far) : std::vector<Strewn>{}) {
+  for (const ScatteredInstances& strewn :
+       scene.far ? strewn_far(*scene.far) : std::vector<ScatteredInstances>{}) {
     auto mesh = mesh_of(*strewn.shape, none);
-    for (const Strewn::At& at : strewn.at)
+    for (const ScatteredInstances::At& at : strewn.at)
       things.push_back(placed({ThingKind::stone, 0, number++}, mesh, {at.place, at.turn, at.size}));
   }
   std::uint32_t list = 0;
@@ -226,7 +227,7 @@ std::vector<Placed> TracedFilm::Parts::food_at(double time) const {
     things.push_back(placed({ThingKind::food, 0, static_cast<std::uint32_t>(things.size())}, grain,
                             {one.at, Quat(1, 0, 0, 0), Vec3(one.radius)}));
   std::uint32_t list = 0;
-  for (const Strewn& strewn : scene.ground->adrift(time, scene.film.length())) {
+  for (const ScatteredInstances& strewn : scene.ground->adrift(time, scene.film.length())) {
     auto mesh = std::make_shared<const MeshGroup>(std::vector{strewn.shape});
     ++list;
     for (std::uint32_t k = 0; k < strewn.at.size(); ++k)

@@ -167,10 +167,10 @@ Vec3 color_of(const Look& look) {
 }
 
 template <class Sink>
-void sample_strewn(const Sink& sink, const std::vector<Strewn>& list) {
+void sample_strewn(const Sink& sink, const std::vector<ScatteredInstances>& list) {
   SurfelSampler<Sink> to{sink};
-  for (const Strewn& strewn : list)
-    for (const Strewn::At& at : strewn.at)
+  for (const ScatteredInstances& strewn : list)
+    for (const ScatteredInstances::At& at : strewn.at)
       to.surface(*strewn.shape, linear(strewn.color), true, at.place, at.turn, at.size);
 }
 

@@ -13,14 +13,14 @@ namespace {
 
 /// Along the foot of a host, which is where a buried one comes out of the ground.
 std::vector<Start> starts_at_own_foot(const IvyParams& params, const Support& under, int count, Seed seed) {
-  const Host& host = under.host;
+  const TriangleSurface& host = under.host;
   DVec3 middle = 0.5 * (host.low() + host.high());
   double buried = under.ground ? std::max(under.ground(middle.x, middle.z) - host.low().y, 0.0) : 0;
   return starts_at_foot(host, count, buried + params.above, params.facing, seed.child("foot"));
 }
 
 /// Whether strands may not begin there: the host bars them, or the mask of the ivy does.
-bool is_barred(const Start& start, const IvyParams& params, const Host& host) {
+bool is_barred(const Start& start, const IvyParams& params, const TriangleSurface& host) {
   std::optional<Contact> near = host.closest(start.place);
   if (!near || host.paint(near->triangle, near->point).z < 0) return true;
   const std::optional<CrawlMask>& mask = params.crawl.mask;
@@ -29,7 +29,8 @@ bool is_barred(const Start& start, const IvyParams& params, const Host& host) {
 
 /// Where strands may not begin none does: others begin all over what it leaves instead, far from each other
 /// (Mitchell 1991, by the best of some candidates).
-void move_into_mask(std::vector<Start>& starts, const IvyParams& params, const Host& host, Seed seed) {
+void move_into_mask(std::vector<Start>& starts, const IvyParams& params, const TriangleSurface& host,
+                    Seed seed) {
   auto barred = [&](const Start& start) { return is_barred(start, params, host); };
   auto averted = [&](const Start& start) {
     DVec3 facing(params.facing);
@@ -60,7 +61,7 @@ void move_into_mask(std::vector<Start>& starts, const IvyParams& params, const H
 /// Where the plants stand on the host.
 std::vector<Start> starts_of(const IvyParams& params, const Support& under, const IvyRoots& roots, int count,
                              Seed seed) {
-  const Host& host = under.host;
+  const TriangleSurface& host = under.host;
   std::vector<Start> starts;
   for (const Vec3& root : roots) starts.push_back({.place = DVec3(root)});
   int more = count - static_cast<int>(roots.size());
@@ -91,7 +92,7 @@ std::vector<std::int32_t> bark_ages(const Skeleton& s, std::size_t colors, doubl
 }
 
 /// Why nothing of it grows; a pointer below the organism and the reason.
-Error rootless(const Crawl& crawl, const Host& host) {
+Error rootless(const Crawl& crawl, const TriangleSurface& host) {
   DVec3 low = host.low(), high = host.high();
   auto corner = [](const DVec3& at) { return fmt::format("[{:.3g}, {:.3g}, {:.3g}]", at.x, at.y, at.z); };
   if (glm::any(glm::greaterThan(DVec3(crawl.low), high)) || glm::any(glm::lessThan(DVec3(crawl.high), low)))
@@ -106,7 +107,7 @@ Error rootless(const Crawl& crawl, const Host& host) {
 
 }  // namespace
 
-Result<Ivy> grow_ivy(const IvyParams& params, const Host& host, const IvyRoots& roots, int count,
+Result<Ivy> grow_ivy(const IvyParams& params, const TriangleSurface& host, const IvyRoots& roots, int count,
                      const GroundHeight& ground, Seed seed) {
   Support under{host, ground};
   std::vector<Start> starts = starts_of(params, under, roots, count, seed);

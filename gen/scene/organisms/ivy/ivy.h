@@ -5,8 +5,8 @@
 
 #include "core/result.h"
 #include "core/seed.h"
-#include "creeping/host.h"
 #include "creeping/swing.h"
+#include "creeping/triangle_surface.h"
 #include "dress/dress.h"
 #include "model/model.h"
 #include "motion/motion.h"
@@ -71,7 +71,7 @@ struct Ivy {
 /// where it stops them there; none where it stops them everywhere. No part is below the ground. Where
 /// `crawl` leaves no trace, the strands are the paths of walkers, which begin all over the host, and the
 /// model holds these at the end of their paths.
-Result<Ivy> grow_ivy(const IvyParams& params, const Host& host, const IvyRoots& roots, int count,
+Result<Ivy> grow_ivy(const IvyParams& params, const TriangleSurface& host, const IvyRoots& roots, int count,
                      const GroundHeight& ground, Seed seed);
 
 /// Adds leaves to strands: sites along them, arranged as a mosaic (foliage/mosaic.h), each leaf turned until

@@ -43,7 +43,7 @@ void touches_of(const Support& under, std::span<const Vec3> feelers, float size,
   free.clear();
   touches.clear();
   double deepest = kClear;
-  std::uint32_t likely = Host::kNoTriangle;
+  std::uint32_t likely = TriangleSurface::kNoTriangle;
   auto feel = [&](const Vec3& at, double clear, const DVec3& direction) {
     clear /= size;
     deepest = std::min(deepest, clear);

@@ -4,13 +4,13 @@
 #include <span>
 #include <vector>
 
-#include "creeping/host.h"
+#include "creeping/triangle_surface.h"
 
 namespace frond {
 
 /// The surfaces that leaves lie on.
 struct Support {
-  const Host& host;
+  const TriangleSurface& host;
   const GroundHeight& ground;
 };
 

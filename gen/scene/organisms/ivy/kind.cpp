@@ -350,7 +350,7 @@ class IvyGrower final : public Described<IvyParams, Grower> {
     return specimen;
   }
 
-  Errors mask_faults(const Host& host) const {
+  Errors mask_faults(const TriangleSurface& host) const {
     const std::optional<CrawlMask>& mask = params.crawl.mask;
     bool pictured = mask && !mask->picture.file.empty();
     if (!mask || (pictured ? mask->picture.along || host.has_texture() : host.has_grey())) return {};

@@ -2,17 +2,17 @@
 
 #include <vector>
 
-#include "core/lots.h"
+#include "core/discrete_distribution.h"
 #include "land/plant_grid.h"
 #include "land/sow.h"
 
 namespace frond {
 
 /// How well places suit a kind of plant, given the crowns of higher layers.
-class Likings {
+class Suitability {
  public:
   /// The arguments must outlive it.
-  Likings(const SowRules& rules, const Land& land, std::span<const PlantGrid> above, Seed seed);
+  Suitability(const SowRules& rules, const Land& land, std::span<const PlantGrid> above, Seed seed);
 
   /// 0: not at all .. 1.
   double operator()(Vec2 at) const;
@@ -42,8 +42,8 @@ class Likings {
   double clump_edge_ = 0;  // value of the noise at the edge of a clump
   Vec2 low_{0};            // of the rectangle that candidates are drawn from
   Vec2 step_{0};
-  Lots lots_;                 // of its cells, by how well they suit
-  std::vector<double> best_;  // highest value of each cell
+  DiscreteDistribution lots_;  // of its cells, by how well they suit
+  std::vector<double> best_;   // highest value of each cell
 };
 
 }  // namespace frond

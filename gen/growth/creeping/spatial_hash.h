@@ -11,7 +11,7 @@ namespace frond {
 
 /// The nodes of all strands in a grid of cells, so that a search for neighbours takes the same time however
 /// many nodes there are.
-class Crowd {
+class SpatialHash {
  public:
   struct Member {
     Vec3 place, normal;
@@ -32,7 +32,7 @@ class Crowd {
   };
 
   /// `spacing`: metres that strands keep apart, > 0.
-  explicit Crowd(double spacing);
+  explicit SpatialHash(double spacing);
   void add(const Member& member);
 
   /// Sets `near` to the nodes within `reach` metres of a point, without those on the other side of a wall.

@@ -1,4 +1,4 @@
-#include "land/likings.h"
+#include "land/suitability.h"
 
 #include "core/noise.h"
 
@@ -23,7 +23,7 @@ double window(double x, Vec2 range, double least, double most, double soft) {
 
 }  // namespace
 
-Likings::Likings(const SowRules& rules, const Land& land, std::span<const PlantGrid> above, Seed seed)
+Suitability::Suitability(const SowRules& rules, const Land& land, std::span<const PlantGrid> above, Seed seed)
     : rules_(rules), land_(land), above_(above), seed_(seed) {
   Vec2 half(static_cast<float>(land.size / 2)), high = half;
   low_ = -half;
@@ -55,18 +55,18 @@ Likings::Likings(const SowRules& rules, const Land& land, std::span<const PlantG
     }
 }
 
-Vec2 Likings::corner(std::size_t i) const {
+Vec2 Suitability::corner(std::size_t i) const {
   return low_ +
          step_ * Vec2(static_cast<float>(i % (kGridCells + 1)), static_cast<float>(i / (kGridCells + 1)));
 }
 
-double Likings::clumps(Vec2 at) const {
+double Suitability::clumps(Vec2 at) const {
   Vec2 p = at * static_cast<float>(1.2 / rules_.patch);
   auto level = static_cast<float>(seed_.child("clumps").range(0, 999));
   return noise(Vec3(p.x, level, p.y)) + 0.35 * noise(Vec3(2.3f * p.x, level + 9, 2.3f * p.y));
 }
 
-double Likings::shade(Vec2 at) const {
+double Suitability::shade(Vec2 at) const {
   double open = 1;
   for (const PlantGrid& bed : above_)
     bed.each_within(at, 2.2, [&](const PlantGrid::Plant& plant) {
@@ -75,7 +75,7 @@ double Likings::shade(Vec2 at) const {
   return 1 - open;
 }
 
-double Likings::operator()(Vec2 at) const {
+double Suitability::operator()(Vec2 at) const {
   if (rules_.reach > 0 && glm::distance(at, rules_.center) > rules_.reach) return 0;
   double share = 1;
   if (rules_.patch > 0 && rules_.cover < 1)
@@ -96,7 +96,7 @@ double Likings::operator()(Vec2 at) const {
   return share;
 }
 
-Likings::Dart Likings::dart(Seed seed) const {
+Suitability::Dart Suitability::dart(Seed seed) const {
   std::size_t cell = lots_.drawn(seed.child(0).unit());
   Vec2 in(static_cast<float>(cell % kGridCells) + static_cast<float>(seed.child(1).unit()),
           static_cast<float>(cell / kGridCells) + static_cast<float>(seed.child(2).unit()));

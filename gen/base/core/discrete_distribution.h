@@ -6,7 +6,7 @@
 namespace frond {
 
 /// Draws from things that have weights; the chance of each is its share of all weight.
-class Lots {
+class DiscreteDistribution {
  public:
   /// Appends one; without weight it is never drawn.
   void add(double weight) { sums_.push_back(sum() + weight); }

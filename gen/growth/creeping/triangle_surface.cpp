@@ -1,4 +1,4 @@
-#include "creeping/host.h"
+#include "creeping/triangle_surface.h"
 
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "core/wanted.h"
+#include "core/cancellation.h"
 #include "creeping/soup.h"
 
 namespace frond {
@@ -43,11 +43,11 @@ DVec3 nearest_on(const std::array<Vec3, 3>& t, const DVec3& p, int& feature) {
 
 /// A segment, and what it meets (Moeller and Trumbore 1997).
 struct Segment : RTCIntersectContext {
-  const Host* host = nullptr;
+  const TriangleSurface* host = nullptr;
   DVec3 from{0}, along{0};
   bool all = false;     // count every crossing of a closed part instead of finding the first
   double share = kInf;  // of the first
-  std::uint32_t triangle = Host::kNoTriangle;
+  std::uint32_t triangle = TriangleSurface::kNoTriangle;
   int winding = 0;
 
   void meet(std::uint32_t t, const std::array<Vec3, 3>& corners, bool solid) {
@@ -79,7 +79,7 @@ struct Search {
   double best;  // distance squared
   double blur;  // what single precision may miss
   DVec3 point{0};
-  std::uint32_t triangle = Host::kNoTriangle;
+  std::uint32_t triangle = TriangleSurface::kNoTriangle;
   int feature = kFace;
 
   /// True where the triangle is nearer than what was known.
@@ -88,7 +88,7 @@ struct Search {
     DVec3 q = nearest_on((*corners)[t], place, f), offset = place - q;
     double d = glm::dot(offset, offset);
     if (d > best || (d == best && t >= triangle)) return false;
-    bool nearer = d < best || triangle == Host::kNoTriangle;
+    bool nearer = d < best || triangle == TriangleSurface::kNoTriangle;
     best = d;
     point = q;
     triangle = t;
@@ -113,10 +113,10 @@ bool look_at(RTCPointQueryFunctionArguments* args) {
 }  // namespace
 
 /// Embree's tree over boxes round the triangles.
-struct Host::Tree {
+struct TriangleSurface::Tree {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
-  const Host* host = nullptr;  // moved along with it
+  const TriangleSurface* host = nullptr;  // moved along with it
   double blur = 0;
 
   ~Tree() {
@@ -138,7 +138,7 @@ struct Host::Tree {
     segment.meet(args->primID, segment.host->corners_[args->primID], segment.host->solid_[args->primID] != 0);
   }
 
-  bool build(const Host& over) {
+  bool build(const TriangleSurface& over) {
     host = &over;
     blur = 4e-7 * std::max(glm::length(over.low_), glm::length(over.high_)) + 1e-30;
     // A device that is to use fewer threads would hold all of TBB to as many, as long as it lives. What is
@@ -175,10 +175,10 @@ struct Host::Tree {
   }
 };
 
-Host::Host() : tree_(std::make_unique<Tree>()) {}
-Host::~Host() = default;
-Host::Host(Host&& other) noexcept { *this = std::move(other); }
-Host& Host::operator=(Host&& other) noexcept {
+TriangleSurface::TriangleSurface() : tree_(std::make_unique<Tree>()) {}
+TriangleSurface::~TriangleSurface() = default;
+TriangleSurface::TriangleSurface(TriangleSurface&& other) noexcept { *this = std::move(other); }
+TriangleSurface& TriangleSurface::operator=(TriangleSurface&& other) noexcept {
   corners_ = std::move(other.corners_);
   vertex_ = std::move(other.vertex_);
   neighbour_ = std::move(other.neighbour_);
@@ -194,7 +194,7 @@ Host& Host::operator=(Host&& other) noexcept {
 }
 
 /// Takes over the triangles; their tree is left as it is.
-void Host::take(Soup&& soup) {
+void TriangleSurface::take(Soup&& soup) {
   assert(!soup.corners.empty() && soup.vertex.size() == soup.corners.size());
   assert(soup.neighbour.size() == soup.corners.size() && soup.solid.size() == soup.corners.size());
   corners_ = std::move(soup.corners);
@@ -222,7 +222,7 @@ void Host::take(Soup&& soup) {
 }
 
 /// How many of four rays lead from one side (1 or -1) of a triangle into the open.
-double Host::openness(std::uint32_t triangle, double side) const {
+double TriangleSurface::openness(std::uint32_t triangle, double side) const {
   const auto& c = corners_[triangle];
   DVec3 normal = side * face_normal(triangle), along = glm::normalize(DVec3(c[1]) - DVec3(c[0]));
   DVec3 from = (DVec3(c[0]) + DVec3(c[1]) + DVec3(c[2])) / 3.0 + normal * (1e-5 * size());
@@ -233,12 +233,12 @@ double Host::openness(std::uint32_t triangle, double side) const {
   return open;
 }
 
-Result<Host> Host::build(const Surface& surface, std::string_view name) {
+Result<TriangleSurface> TriangleSurface::build(const Surface& surface, std::string_view name) {
   Soup soup = mend_surface(surface);
   if (soup.corners.empty())
     return Error{std::string(name),
                  fmt::format("none of the {} triangles has an area", surface.triangle.size())};
-  Host host;
+  TriangleSurface host;
   host.take(Soup(soup));
   if (!host.tree_->build(host)) return Error{std::string(name), "Embree could not build its tree"};
   if (host.closed_) return host;
@@ -263,13 +263,13 @@ Result<Host> Host::build(const Surface& surface, std::string_view name) {
   return host;
 }
 
-DVec3 Host::face_normal(std::uint32_t triangle) const {
+DVec3 TriangleSurface::face_normal(std::uint32_t triangle) const {
   assert(triangle < corners_.size());
   const auto& c = corners_[triangle];
   return glm::normalize(glm::cross(DVec3(c[1]) - DVec3(c[0]), DVec3(c[2]) - DVec3(c[0])));
 }
 
-Vec3 Host::paint(std::uint32_t triangle, const DVec3& point) const {
+Vec3 TriangleSurface::paint(std::uint32_t triangle, const DVec3& point) const {
   if (paint_.empty()) return kUnpainted;
   const auto& c = corners_[triangle];
   const auto& p = paint_[triangle];
@@ -280,7 +280,7 @@ Vec3 Host::paint(std::uint32_t triangle, const DVec3& point) const {
   return p[0] * (1 - v - w) + p[1] * v + p[2] * w;
 }
 
-bool Host::has_paint(int channel) const {
+bool TriangleSurface::has_paint(int channel) const {
   // A grey below 0 only bars creepers.
   return std::ranges::any_of(paint_, [&](const auto& corners) {
     return channel == 2 ? corners[0][channel] >= 0 : !std::isnan(corners[0][channel]);
@@ -288,7 +288,7 @@ bool Host::has_paint(int channel) const {
 }
 
 /// Tells outside from inside at any feature (Baerentzen and Aanaes 2005).
-DVec3 Host::feature_normal(std::uint32_t triangle, int feature) const {
+DVec3 TriangleSurface::feature_normal(std::uint32_t triangle, int feature) const {
   assert(feature >= 0 && feature <= kFace);
   DVec3 face = face_normal(triangle), sum = face;
   if (feature < 3) {
@@ -301,7 +301,8 @@ DVec3 Host::feature_normal(std::uint32_t triangle, int feature) const {
   return length > 1e-6 ? sum / length : face;
 }
 
-std::optional<Contact> Host::closest(const DVec3& place, double within, std::uint32_t likely) const {
+std::optional<Contact> TriangleSurface::closest(const DVec3& place, double within,
+                                                std::uint32_t likely) const {
   assert(std::isfinite(glm::dot(place, place)) && within >= 0);
   Search search{&corners_, place, within * within, tree_->blur + 2e-7 * glm::length(place)};
   if (likely < corners_.size()) search.look(likely);
@@ -323,7 +324,7 @@ std::optional<Contact> Host::closest(const DVec3& place, double within, std::uin
   return contact;
 }
 
-std::optional<Crossing> Host::crossing(const DVec3& from, const DVec3& to) const {
+std::optional<Crossing> TriangleSurface::crossing(const DVec3& from, const DVec3& to) const {
   assert(std::isfinite(glm::dot(from, from)) && std::isfinite(glm::dot(to, to)));
   Segment segment;
   segment.host = this;
@@ -334,7 +335,7 @@ std::optional<Crossing> Host::crossing(const DVec3& from, const DVec3& to) const
   return Crossing{segment.share, face_normal(segment.triangle), segment.triangle};
 }
 
-bool Host::inside(const DVec3& place) const {
+bool TriangleSurface::inside(const DVec3& place) const {
   if (glm::any(glm::lessThan(place, low_)) || glm::any(glm::greaterThan(place, high_))) return false;
   // A ray that meets an edge counts two triangles; the majority of five does not.
   static const DVec3 directions[] = {{0.5377, 0.7639, 0.3569},

@@ -1,4 +1,4 @@
-#include "field/boughs.h"
+#include "field/branch_volume.h"
 
 #include <gtest/gtest.h>
 
@@ -18,10 +18,10 @@ Skeleton fork(double angle, float radius = 0.1f) {
   return s;
 }
 
-FieldSample sample(const Boughs& boughs, Vec3 at) { return sample_boughs(boughs, all_of(boughs), at); }
+FieldSample sample(const BranchVolume& boughs, Vec3 at) { return sample_boughs(boughs, all_of(boughs), at); }
 
-TEST(Cone, distance_is_that_to_the_spheres_it_is_the_hull_of) {
-  Cone cone = make_cone({0, 0, 0}, 0.5f, {2, 1, 0}, 0.2f, 0);
+TEST(RoundCone, distance_is_that_to_the_spheres_it_is_the_hull_of) {
+  RoundCone cone = make_cone({0, 0, 0}, 0.5f, {2, 1, 0}, 0.2f, 0);
   for (int i = 0; i < 300; ++i) {
     Seed seed = Seed{1}.child(static_cast<std::uint64_t>(i));
     Vec3 at(seed.child(0).range(-1, 3), seed.child(1).range(-1, 2), seed.child(2).range(-1, 1));
@@ -34,14 +34,14 @@ TEST(Cone, distance_is_that_to_the_spheres_it_is_the_hull_of) {
   }
 }
 
-TEST(Cone, that_holds_its_other_end_is_a_ball) {
-  Cone cone = make_cone({0, 0, 0}, 0.1f, {0, 0.2f, 0}, 0.5f, 0);
+TEST(RoundCone, that_holds_its_other_end_is_a_ball) {
+  RoundCone cone = make_cone({0, 0, 0}, 0.1f, {0, 0.2f, 0}, 0.5f, 0);
   EXPECT_NEAR(distance(cone, {1, 0.2f, 0}), 0.5f, 1e-6);
   EXPECT_NEAR(distance(cone, {0, -0.4f, 0}), 0.1f, 1e-6);
 }
 
-TEST(Boughs, a_fork_has_a_fillet_in_its_crotch_only) {
-  Boughs sharp = boughs_of(fork(radians(40.0)), 0), round = boughs_of(fork(radians(40.0)), 1);
+TEST(BranchVolume, a_fork_has_a_fillet_in_its_crotch_only) {
+  BranchVolume sharp = boughs_of(fork(radians(40.0)), 0), round = boughs_of(fork(radians(40.0)), 1);
   // The crotch: where the surfaces of both arms meet above the fork.
   Vec3 crotch(0, 0.1f / static_cast<float>(std::sin(radians(40.0))), 0);
   EXPECT_NEAR(sample(sharp, crotch).distance, 0, 1e-4);
@@ -52,8 +52,8 @@ TEST(Boughs, a_fork_has_a_fillet_in_its_crotch_only) {
   EXPECT_GT(sample(round, {0, 0, 0.1f}).distance, -0.006f);
 }
 
-TEST(Boughs, fillets_do_not_depend_on_the_order_of_branches) {
-  Boughs one = boughs_of(fork(radians(30.0)), 1), other = boughs_of(fork(radians(-30.0)), 1);
+TEST(BranchVolume, fillets_do_not_depend_on_the_order_of_branches) {
+  BranchVolume one = boughs_of(fork(radians(30.0)), 1), other = boughs_of(fork(radians(-30.0)), 1);
   for (int i = 0; i < 200; ++i) {
     Seed seed = Seed{2}.child(static_cast<std::uint64_t>(i));
     Vec3 at(seed.child(0).range(-0.4, 0.4), seed.child(1).range(-0.3, 0.6), seed.child(2).range(-0.2, 0.2));
@@ -61,20 +61,20 @@ TEST(Boughs, fillets_do_not_depend_on_the_order_of_branches) {
   }
 }
 
-TEST(Boughs, strangers_that_pass_each_other_have_no_fillet) {
+TEST(BranchVolume, strangers_that_pass_each_other_have_no_fillet) {
   Skeleton s;
   s.add({-1, 0, 0}, 0.1f, Skeleton::kRoot, 0);
   s.add({1, 0, 0}, 0.1f, 0, 0);
   s.add({0, -1, 0.1f}, 0.1f, Skeleton::kRoot, 0);
   s.add({0, 1, 0.1f}, 0.1f, 2, 0);
-  Boughs boughs = boughs_of(s, 2);
+  BranchVolume boughs = boughs_of(s, 2);
   EXPECT_TRUE(boughs.forks.forks.empty());
   Vec3 at(0.1f, 0.1f, 0.05f);
   EXPECT_EQ(sample(boughs, at).distance,
             std::min(distance(boughs.cones[0], at), distance(boughs.cones[1], at)));
 }
 
-TEST(Boughs, bends_of_an_arm_leave_no_step) {
+TEST(BranchVolume, bends_of_an_arm_leave_no_step) {
   // A fork whose one arm bends sharply back over the other: across the bend its direction turns.
   Skeleton s;
   s.add({0, -1, 0}, 0.1f, Skeleton::kRoot, 0);
@@ -82,7 +82,7 @@ TEST(Boughs, bends_of_an_arm_leave_no_step) {
   s.add({0, 1, 0}, 0.1f, 1, 0);
   s.add({0.25f, 0.1f, 0}, 0.1f, 1, 1);
   s.add({0.3f, 0.5f, 0}, 0.1f, 3, 1);
-  Boughs boughs = boughs_of(s, 1.5f);
+  BranchVolume boughs = boughs_of(s, 1.5f);
   for (int i = 0; i < 20000; ++i) {
     Seed seed = Seed{5}.child(static_cast<std::uint64_t>(i));
     Vec3 at(seed.child(0).range(0, 0.4), seed.child(1).range(-0.1, 0.6), seed.child(2).range(-0.15, 0.15));
@@ -92,9 +92,9 @@ TEST(Boughs, bends_of_an_arm_leave_no_step) {
   }
 }
 
-TEST(Boughs, the_field_is_continuous_and_its_normal_is_its_slope) {
+TEST(BranchVolume, the_field_is_continuous_and_its_normal_is_its_slope) {
   Skeleton s = test_coral(3, 0.06);
-  Boughs boughs = boughs_of(s, 1);
+  BranchVolume boughs = boughs_of(s, 1);
   int astray = 0;
   for (int i = 0; i < 500; ++i) {
     Seed seed = Seed{3}.child(static_cast<std::uint64_t>(i));

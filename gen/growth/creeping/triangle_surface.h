@@ -45,13 +45,13 @@ struct Crossing {
 /// Answers are computed in double precision on the triangles; Embree (Wald et al. 2014) only finds candidate
 /// triangles, with a margin, and among equals the lowest index wins. So answers do not depend on the
 /// instruction set or the number of threads. Thread-safe.
-class Host {
+class TriangleSurface {
  public:
   /// An error, which names `name`, where no triangle with an area is left.
-  static Result<Host> build(const Surface& surface, std::string_view name = "host");
-  Host(Host&&) noexcept;
-  Host& operator=(Host&&) noexcept;
-  ~Host();
+  static Result<TriangleSurface> build(const Surface& surface, std::string_view name = "host");
+  TriangleSurface(TriangleSurface&&) noexcept;
+  TriangleSurface& operator=(TriangleSurface&&) noexcept;
+  ~TriangleSurface();
 
   /// The nearest point of the surface, or nothing where it is farther than `within` metres. `likely`, a
   /// triangle that is probably near, such as the one of the last step, only makes the search faster.
@@ -88,7 +88,7 @@ class Host {
 
  private:
   struct Tree;
-  Host();
+  TriangleSurface();
   void take(Soup&& soup);
   bool has_paint(int channel) const;
   double openness(std::uint32_t triangle, double side) const;

@@ -1,4 +1,4 @@
-#include "creeping/host.h"
+#include "creeping/triangle_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@ DVec3 anywhere(Seed seed, double size) {
           seed.child(3).range(-size, size)};
 }
 
-TEST(Host, FindsTheNearestPointOfABall) {
-  Host host = built(ball(1, 200, 100));
+TEST(TriangleSurface, FindsTheNearestPointOfABall) {
+  TriangleSurface host = built(ball(1, 200, 100));
   EXPECT_TRUE(host.closed());
   for (std::uint64_t i = 0; i < 2000; ++i) {
     DVec3 p = anywhere(Seed{1}.child(i), 1.5);
@@ -28,9 +28,9 @@ TEST(Host, FindsTheNearestPointOfABall) {
   }
 }
 
-TEST(Host, AgreesWithLookingAtEveryTriangle) {
+TEST(TriangleSurface, AgreesWithLookingAtEveryTriangle) {
   Surface s = bumpy_rock(3);
-  Host host = built(s);
+  TriangleSurface host = built(s);
   for (std::uint64_t i = 0; i < 300; ++i) {
     DVec3 p = anywhere(Seed{2}.child(i), 0.7);
     Contact c = *host.closest(p);
@@ -50,8 +50,8 @@ TEST(Host, AgreesWithLookingAtEveryTriangle) {
   }
 }
 
-TEST(Host, ALikelyTriangleChangesNothing) {
-  Host host = built(cube(1, 4));
+TEST(TriangleSurface, ALikelyTriangleChangesNothing) {
+  TriangleSurface host = built(cube(1, 4));
   for (std::uint64_t i = 0; i < 1000; ++i) {
     DVec3 p = anywhere(Seed{3}.child(i), 0.8);
     // Many of these have several nearest triangles.
@@ -65,8 +65,8 @@ TEST(Host, ALikelyTriangleChangesNothing) {
   }
 }
 
-TEST(Host, NormalsAreContinuousRoundAnEdge) {
-  Host host = built(cube(1, 1));
+TEST(TriangleSurface, NormalsAreContinuousRoundAnEdge) {
+  TriangleSurface host = built(cube(1, 1));
   DVec3 before(0);
   for (int i = 0; i <= 1000; ++i) {
     double angle = -0.3 + (0.5 * kPi + 0.6) * i / 1000;
@@ -80,16 +80,16 @@ TEST(Host, NormalsAreContinuousRoundAnEdge) {
   }
 }
 
-TEST(Host, SeesBothSidesOfAThinWall) {
-  Host host = built(bricks(1, 1, 1, Vec3(4, 2, 0.002f), [](int, int, int) { return true; }));
+TEST(TriangleSurface, SeesBothSidesOfAThinWall) {
+  TriangleSurface host = built(bricks(1, 1, 1, Vec3(4, 2, 0.002f), [](int, int, int) { return true; }));
   EXPECT_GT(host.closest(DVec3(0.3, 1, 0.002))->normal.z, 0.99);
   EXPECT_LT(host.closest(DVec3(0.3, 1, -0.002))->normal.z, -0.99);
   EXPECT_TRUE(host.inside(DVec3(0.3, 1, 0)));
   EXPECT_FALSE(host.inside(DVec3(0.3, 1, 0.0015)));
 }
 
-TEST(Host, CrossingsAreTheFirstOnTheWay) {
-  Host host = built(ball(1, 200, 100));
+TEST(TriangleSurface, CrossingsAreTheFirstOnTheWay) {
+  TriangleSurface host = built(ball(1, 200, 100));
   auto in = host.crossing(DVec3(-2, 0.1, 0.2), DVec3(2, 0.1, 0.2));
   ASSERT_TRUE(in);
   EXPECT_NEAR(-2 + 4 * in->share, -std::sqrt(1 - 0.05), 2e-3);
@@ -98,8 +98,8 @@ TEST(Host, CrossingsAreTheFirstOnTheWay) {
   EXPECT_FALSE(host.crossing(DVec3(-0.5, 0, 0), DVec3(0.5, 0, 0)));
 }
 
-TEST(Host, SurvivesWhatScannersGive) {
-  Host host = built(scanned(Seed{1}));
+TEST(TriangleSurface, SurvivesWhatScannersGive) {
+  TriangleSurface host = built(scanned(Seed{1}));
   EXPECT_FALSE(host.closed());
   // Flipped faces are turned back: nearly all look away from the middle.
   std::size_t outward = 0;
@@ -108,12 +108,12 @@ TEST(Host, SurvivesWhatScannersGive) {
   EXPECT_GT(static_cast<double>(outward), 0.98 * static_cast<double>(host.triangles().size()));
 }
 
-TEST(Host, TurnsOpenPiecesOutward) {
+TEST(TriangleSurface, TurnsOpenPiecesOutward) {
   // Most of a ball, inside out.
   Surface s = ball(1, 40, 20);
   std::erase_if(s.triangle, [&](const auto& t) { return s.position[t[0]].y > 0.6f; });
   for (auto& t : s.triangle) std::swap(t[1], t[2]);
-  Host host = built(s);
+  TriangleSurface host = built(s);
   EXPECT_FALSE(host.closed());
   for (std::uint32_t t = 0; t < host.triangles().size(); ++t) {
     EXPECT_GT(glm::dot(host.face_normal(t), DVec3(host.triangles()[t][0])), 0);
@@ -121,23 +121,23 @@ TEST(Host, TurnsOpenPiecesOutward) {
   }
 }
 
-TEST(Host, TurnsClosedPiecesOutward) {
+TEST(TriangleSurface, TurnsClosedPiecesOutward) {
   Surface s = cube(1, 3);
   for (auto& t : s.triangle) std::swap(t[1], t[2]);
-  Host host = built(s);
+  TriangleSurface host = built(s);
   EXPECT_TRUE(host.closed());
   for (std::uint32_t t = 0; t < host.triangles().size(); ++t)
     EXPECT_GT(glm::dot(host.face_normal(t), DVec3(host.triangles()[t][0]) - DVec3(0, 0.5, 0)), 0.1);
 }
 
-TEST(Host, RefusesWhatHasNoSurfaceByName) {
+TEST(TriangleSurface, RefusesWhatHasNoSurfaceByName) {
   Surface s;
   s.position = {Vec3(0), Vec3(1), Vec3(2), Vec3(NAN, 0, 0)};
   s.triangle = {{0, 1, 2}, {0, 1, 1}, {0, 1, 3}, {0, 1, 9}};
-  auto host = Host::build(s, "ruin.obj");
+  auto host = TriangleSurface::build(s, "ruin.obj");
   ASSERT_FALSE(host);
   EXPECT_EQ(host.errors()[0].text(), "ruin.obj: none of the 4 triangles has an area");
-  EXPECT_FALSE(Host::build(Surface{}, "nothing"));
+  EXPECT_FALSE(TriangleSurface::build(Surface{}, "nothing"));
 }
 
 }  // namespace

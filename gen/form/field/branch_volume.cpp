@@ -1,4 +1,4 @@
-#include "field/boughs.h"
+#include "field/branch_volume.h"
 
 #include <algorithm>
 #include <cassert>
@@ -12,7 +12,7 @@ constexpr float kReach = 6;  // radii from a fork to the end of what is blended 
 /// Follows the branches from the forks of one skeleton.
 class Joiner {
  public:
-  Joiner(Boughs& boughs, const Skeleton& rest, std::span<const float> radius, float blend)
+  Joiner(BranchVolume& boughs, const Skeleton& rest, std::span<const float> radius, float blend)
       : boughs_(boughs),
         rest_(rest),
         radius_(radius),
@@ -20,7 +20,7 @@ class Joiner {
         cone_(rest.size(), -1),
         children_(rest.size(), 0) {}
 
-  void add_cone(std::int32_t i, const Cone& cone) {
+  void add_cone(std::int32_t i, const RoundCone& cone) {
     assert(rest_.parent[i] >= 0 && cone_[static_cast<std::size_t>(i)] < 0);
     cone_[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(boughs_.cones.size());
     ++children_[static_cast<std::size_t>(rest_.parent[i])];
@@ -88,7 +88,7 @@ class Joiner {
   }
   void end_arm() { boughs_.forks.arms.back().last = static_cast<std::uint32_t>(boughs_.forks.member.size()); }
 
-  Boughs& boughs_;
+  BranchVolume& boughs_;
   const Skeleton& rest_;
   std::span<const float> radius_;
   float blend_;
@@ -98,7 +98,7 @@ class Joiner {
 
 }  // namespace
 
-void add_boughs(Boughs& boughs, const Skeleton& rest, std::span<const Vec3> position,
+void add_boughs(BranchVolume& boughs, const Skeleton& rest, std::span<const Vec3> position,
                 std::span<const float> radius, float front, float blend, std::int32_t first_node) {
   assert(position.size() == rest.size() && radius.size() == rest.size());
   Joiner joiner(boughs, rest, radius, blend);
@@ -112,7 +112,7 @@ void add_boughs(Boughs& boughs, const Skeleton& rest, std::span<const Vec3> posi
     assert(foot >= 0 && radius[i] >= 0);
     // A branch leaves its parent little thicker than it goes on, or the fork would swell.
     if (p != node - 1) foot = std::min(foot, 1.25f * radius[i]);
-    Cone cone =
+    RoundCone cone =
         make_cone(position[static_cast<std::size_t>(p)], foot, position[i], radius[i], first_node + node);
     cone.root = first_node + root[i];
     joiner.add_cone(node, cone);
@@ -120,9 +120,9 @@ void add_boughs(Boughs& boughs, const Skeleton& rest, std::span<const Vec3> posi
   if (blend > 0) joiner.add_forks();
 }
 
-Boughs at_least_as_thick(const Boughs& boughs, float radius) {
-  Boughs thick = boughs;
-  for (Cone& cone : thick.cones) {
+BranchVolume at_least_as_thick(const BranchVolume& boughs, float radius) {
+  BranchVolume thick = boughs;
+  for (RoundCone& cone : thick.cones) {
     if (std::min(cone.radius, cone.end_radius()) >= radius) continue;
     std::int32_t root = cone.root;
     cone = make_cone(cone.from, std::max(cone.radius, radius), cone.to(), std::max(cone.end_radius(), radius),
@@ -132,8 +132,8 @@ Boughs at_least_as_thick(const Boughs& boughs, float radius) {
   return thick;
 }
 
-Boughs boughs_of(const Skeleton& rest, float blend) {
-  Boughs boughs;
+BranchVolume boughs_of(const Skeleton& rest, float blend) {
+  BranchVolume boughs;
   add_boughs(boughs, rest, rest.position, rest.radius, 2, blend);
   return boughs;
 }

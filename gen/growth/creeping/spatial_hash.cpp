@@ -1,4 +1,4 @@
-#include "creeping/crowd.h"
+#include "creeping/spatial_hash.h"
 
 #include <algorithm>
 #include <bit>
@@ -53,10 +53,10 @@ std::uint64_t cells_between(const std::int32_t low[3], const std::int32_t high[3
 
 }  // namespace
 
-Crowd::Crowd(double spacing) : spacing_(spacing), size_(kCell * spacing), blocks_(1024) {}
+SpatialHash::SpatialHash(double spacing) : spacing_(spacing), size_(kCell * spacing), blocks_(1024) {}
 
 /// Where a block is, or would be.
-std::size_t Crowd::slot(std::int32_t x, std::int32_t y, std::int32_t z) const {
+std::size_t SpatialHash::slot(std::int32_t x, std::int32_t y, std::int32_t z) const {
   auto word = [](std::int32_t v) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(v)); };
   std::size_t mask = blocks_.size() - 1;
   std::size_t i = Seed::mix((word(x) << 32 | word(y)) ^ word(z) * 0x9e3779b97f4a7c15ull) & mask;
@@ -65,14 +65,14 @@ std::size_t Crowd::slot(std::int32_t x, std::int32_t y, std::int32_t z) const {
   return i;
 }
 
-void Crowd::grow() {
+void SpatialHash::grow() {
   std::vector<Block> old(blocks_.size() * 2);
   old.swap(blocks_);
   for (const Block& b : old)
     if (b.cells >= 0) blocks_[slot(b.x, b.y, b.z)] = b;
 }
 
-void Crowd::add(const Member& member) {
+void SpatialHash::add(const Member& member) {
   if (2 * used_ >= blocks_.size()) grow();
   std::int32_t x = cell_of(member.place.x, size_), y = cell_of(member.place.y, size_),
                z = cell_of(member.place.z, size_);
@@ -97,8 +97,8 @@ void Crowd::add(const Member& member) {
   chunk.rest[i] = {member.strand, member.since, member.normal};
 }
 
-void Crowd::gather(const DVec3& place, const DVec3& normal, const Own& own, double reach,
-                   std::vector<DVec3>& near) const {
+void SpatialHash::gather(const DVec3& place, const DVec3& normal, const Own& own, double reach,
+                         std::vector<DVec3>& near) const {
   near.clear();
   // In single precision, as the members are.
   Vec3 here(place), side(normal);
@@ -137,7 +137,7 @@ void Crowd::gather(const DVec3& place, const DVec3& normal, const Own& own, doub
         if (const Block& block = blocks_[slot(x, y, z)]; block.cells >= 0) look_into(block);
 }
 
-Crowd::View Crowd::view(std::span<const DVec3> near, const DVec3& place) const {
+SpatialHash::View SpatialHash::view(std::span<const DVec3> near, const DVec3& place) const {
   View view{spacing_, DVec3(0)};
   for (const DVec3& other : near) {
     DVec3 offset = place - other;
@@ -150,7 +150,7 @@ Crowd::View Crowd::view(std::span<const DVec3> near, const DVec3& place) const {
   return view;
 }
 
-double Crowd::nearest(std::span<const DVec3> near, const DVec3& place) const {
+double SpatialHash::nearest(std::span<const DVec3> near, const DVec3& place) const {
   double least = spacing_ * spacing_;
   for (const DVec3& other : near) {
     DVec3 offset = place - other;

@@ -5,14 +5,14 @@
 namespace frond {
 
 /// Thrown out of work that nobody waits for any more.
-struct GivenUp {};
+struct Cancelled {};
 
-/// Runs `body`, which ends with GivenUp soon after `given_up()` has become true: at the next round of a
-/// parallel_for, on whatever thread, or at stay_wanted(). `given_up` is called often and from several
+/// Runs `body`, which ends with Cancelled soon after `cancelled()` has become true: at the next round of a
+/// parallel_for, on whatever thread, or at stay_wanted(). `cancelled` is called often and from several
 /// threads; empty: what holds outside of this holds within.
-void while_wanted(const std::function<bool()>& given_up, const std::function<void()>& body);
+void while_wanted(const std::function<bool()>& cancelled, const std::function<void()>& body);
 
-/// For long loops that are no parallel_for: throws GivenUp where nobody waits for this work.
+/// For long loops that are no parallel_for: throws Cancelled where nobody waits for this work.
 void stay_wanted();
 
 /// Runs `body` so that while it waits for tasks of its own, this thread takes up none of others. For

@@ -1,12 +1,12 @@
-#include "core/lots.h"
+#include "core/discrete_distribution.h"
 
 #include <gtest/gtest.h>
 
 namespace frond {
 namespace {
 
-TEST(Lots, AreDrawnByTheirShares) {
-  Lots lots;
+TEST(DiscreteDistribution, AreDrawnByTheirShares) {
+  DiscreteDistribution lots;
   EXPECT_EQ(lots.sum(), 0);
   for (double weight : {0.0, 3.0, 0.0, 1.0}) lots.add(weight);
   EXPECT_EQ(lots.sum(), 4);
@@ -16,8 +16,8 @@ TEST(Lots, AreDrawnByTheirShares) {
   EXPECT_EQ(lots.drawn(1), 3u);
 }
 
-TEST(Lots, WithoutWeightTheLastIsDrawn) {
-  Lots lots;
+TEST(DiscreteDistribution, WithoutWeightTheLastIsDrawn) {
+  DiscreteDistribution lots;
   lots.add(0), lots.add(0);
   EXPECT_EQ(lots.drawn(0.5), 1u);
 }

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "field/cone.h"
+#include "field/round_cone.h"
 #include "model/skeleton.h"
 
 namespace frond {
@@ -34,8 +34,8 @@ struct Forks {
 
 /// The branches of one or more skeletons as a solid body: cones, and forks where they blend. Branches that
 /// only touch are united too, but with a crease.
-struct Boughs {
-  std::vector<Cone> cones;
+struct BranchVolume {
+  std::vector<RoundCone> cones;
   Forks forks;
 };
 
@@ -51,14 +51,14 @@ struct Nearby {
 ///
 /// `blend` is the extent of fillets at forks, as a share of the radius of the thinner arm: 0 leaves a crease,
 /// 1 makes a fillet about as wide as that arm is thick.
-void add_boughs(Boughs& boughs, const Skeleton& rest, std::span<const Vec3> position,
+void add_boughs(BranchVolume& boughs, const Skeleton& rest, std::span<const Vec3> position,
                 std::span<const float> radius, float front, float blend, std::int32_t first_node = 0);
 
 /// The same with a minimum radius, metres.
-Boughs at_least_as_thick(const Boughs& boughs, float radius);
+BranchVolume at_least_as_thick(const BranchVolume& boughs, float radius);
 
 /// The same for a fully grown skeleton at rest.
-Boughs boughs_of(const Skeleton& rest, float blend);
+BranchVolume boughs_of(const Skeleton& rest, float blend);
 
 /// The surface near a point.
 struct FieldSample {
@@ -68,18 +68,18 @@ struct FieldSample {
 };
 
 /// All cones and forks, as if they were near.
-Nearby all_of(const Boughs& boughs);
+Nearby all_of(const BranchVolume& boughs);
 
 /// From the items near a larger ball, those that affect the distance in a ball of radius `half` round `at`,
 /// as far as that distance is within `band`. `to` is overwritten.
-void choose_near(const Boughs& boughs, const Nearby& from, Vec3 at, float half, float band, Nearby& to);
+void choose_near(const BranchVolume& boughs, const Nearby& from, Vec3 at, float half, float band, Nearby& to);
 
 /// Whether a fork has such an effect; adds it to `to` if given.
-bool choose_fork(const Boughs& boughs, const Forks& from, std::size_t fork, Vec3 at, float half, float band,
-                 Forks* to);
+bool choose_fork(const BranchVolume& boughs, const Forks& from, std::size_t fork, Vec3 at, float half,
+                 float band, Forks* to);
 
 /// The surface near a point, from the items near it.
-FieldSample sample_boughs(const Boughs& boughs, const Nearby& near, Vec3 at);
+FieldSample sample_boughs(const BranchVolume& boughs, const Nearby& near, Vec3 at);
 
 /// The farthest that the fillets of a fork push the surface out; metres.
 float fillet_reach(const Forks& forks, std::size_t fork);
@@ -92,7 +92,7 @@ struct Nearest {
 
 /// The distance at a fork, given the nearest cones of its arms in their order. The normal is only set where
 /// it is asked for.
-FieldSample blend_arms(const Boughs& boughs, const Forks& forks, std::size_t fork,
+FieldSample blend_arms(const BranchVolume& boughs, const Forks& forks, std::size_t fork,
                        std::span<const Nearest> arms, Vec3 at, bool with_normal);
 
 }  // namespace frond

@@ -1,4 +1,4 @@
-#include "core/wanted.h"
+#include "core/cancellation.h"
 
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>
@@ -21,7 +21,7 @@ TEST(Wanted, WorkThatIsGivenUpEndsOnAllThreadsAndInLoopsWithinLoops) {
       });
     });
   };
-  EXPECT_THROW(while_wanted([&] { return gone.load(); }, work), GivenUp);
+  EXPECT_THROW(while_wanted([&] { return gone.load(); }, work), Cancelled);
   EXPECT_LT(rounds, 500 + 2 * thread_count()) << "each thread may be in a round";
 }
 
@@ -35,7 +35,7 @@ TEST(Wanted, WhatNobodyAsksAboutRunsToItsEnd) {
 
 TEST(Wanted, AfterWorkThatWasGivenUpThreadsAreFreeForOther) {
   for (int i = 0; i < 20; ++i) {
-    EXPECT_THROW(while_wanted([] { return true; }, [] { parallel_for(64, [](std::size_t) {}); }), GivenUp);
+    EXPECT_THROW(while_wanted([] { return true; }, [] { parallel_for(64, [](std::size_t) {}); }), Cancelled);
     std::atomic<int> rounds = 0;
     parallel_for(64, [&](std::size_t) { stay_wanted(), ++rounds; });
     EXPECT_EQ(rounds, 64);
