@@ -242,6 +242,7 @@ std::map<int, Ring> stem_pictures(const TreeParams& params, const GrownTree& tre
     // Half way round is the other side.
     if (std::abs(wood.uv[i].x * 2 - 7) < 1e-4f) ring.middle = (ring.middle + wood.position[i]) / 2.0f;
   }
+  rings.erase(std::prev(rings.end()));  // the tip: one place on the picture for each side
   return rings;
 }
 
