@@ -50,7 +50,8 @@ def povray(folder, *words):
 
 
 def samples(path):
-    return re.match(rb"P6\s+\d+\s+\d+\s+255\s(.*)", path.read_bytes(), re.S)[1]
+    """The bytes of a picture as PPM, behind its header, which POV-Ray comments."""
+    return re.match(rb"P6\s+(?:#[^\n]*\n)*\d+\s+\d+\s+255\s(.*)", path.read_bytes(), re.S)[1]
 
 
 def main(frond, root):

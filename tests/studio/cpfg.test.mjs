@@ -34,7 +34,6 @@ test('a model of cpfg shows its files, and an edit of one changes the picture an
   assert.equal(await page.getByTestId('grammar-file:lilac.v').count(), 1);
   assert.ok(await page.getByTestId('axiom').isHidden(), 'what the model does not read is not offered');
   await page.waitForFunction(() => document.querySelector('[data-testid=word]')?.textContent.length > 10);
-  await page.waitForFunction(() => document.querySelector('[data-testid=turtle-svg]').naturalWidth > 0);
 
   // What cannot be read is told with its line, and nothing else happens.
   await rules.fill(was.replace('endlsystem', 'A --> (\nendlsystem'));
@@ -46,6 +45,7 @@ test('a model of cpfg shows its files, and an edit of one changes the picture an
   await changed(page, before);
   await shown(page);
   assert.ok(fs.existsSync(path.join(scratch, 'lilac', 'lilac.l')));
+  await page.waitForFunction(() => document.querySelector('[data-testid=turtle-svg]').naturalWidth > 0);
   assert.equal(fs.readFileSync(path.join(scratch, 'lilac.l'), 'utf8'), was, 'the former stays');
   const edited = await parts(page);
   await page.getByTestId('undo').click();

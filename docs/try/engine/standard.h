@@ -19,8 +19,9 @@
 namespace std {
 
 /// Reads what std::strtod reads in the locale "C", as far as std::from_chars would: neither space, plus sign
-/// nor hexadecimal digits.
-inline from_chars_result from_chars(const char* first, const char* last, double& value) {
+/// nor hexadecimal digits, and in the fixed format no power.
+inline from_chars_result from_chars(const char* first, const char* last, double& value,
+                                    chars_format format = chars_format::general) {
   const char* digits = first != last && *first == '-' ? first + 1 : first;
   auto is_digit = [&](const char* c) { return c < last && *c >= '0' && *c <= '9'; };
   bool number = is_digit(digits) || (digits < last && *digits == '.' && is_digit(digits + 1));
@@ -29,7 +30,7 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
   while (is_digit(end)) ++end;
   if (end < last && *end == '.') ++end;
   while (is_digit(end)) ++end;
-  if (end < last && (*end == 'e' || *end == 'E')) {
+  if (format != chars_format::fixed && end < last && (*end == 'e' || *end == 'E')) {
     const char* power = end + 1;
     if (power < last && (*power == '+' || *power == '-')) ++power;
     if (is_digit(power)) end = power;
@@ -92,6 +93,28 @@ auto upper_bound(Range&& range, const Value& value) {
 template <class Range, class Value>
 bool binary_search(Range&& range, const Value& value) {
   return std::binary_search(begin(range), end(range), value);
+}
+template <class Range, class Test>
+auto count_if(Range&& range, Test test) {
+  return std::count_if(begin(range), end(range), test);
+}
+template <class One, class Other, class Same>
+bool equal(One&& one, Other&& other, Same same) {
+  return std::equal(begin(one), end(one), begin(other), end(other), same);
+}
+template <class One, class Other>
+struct in_in_result {
+  One in1;
+  Other in2;
+};
+template <class One, class Other>
+auto mismatch(const One& one, const Other& other) {
+  auto found = std::mismatch(one.begin(), one.end(), other.begin(), other.end());
+  return in_in_result<decltype(found.first), decltype(found.second)>{found.first, found.second};
+}
+template <class Range, class Out, class Map>
+auto transform(Range&& range, Out to, Map map) {
+  return std::transform(begin(range), end(range), to, map);
 }
 template <class Range, class Out>
 auto move(Range&& range, Out to) {
