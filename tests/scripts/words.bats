@@ -90,7 +90,7 @@ setup() {
   touch taken
   run "$frond" render film.json -o taken/out
   [ "$status" -eq 1 ]
-  [[ $output == *"taken: is a file; expected a folder, or none"* ]]
+  [[ $output == *"taken/out: the folder cannot be made: $PWD/taken is a file; expected a folder, or none"* ]]
   run "$frond" render film.json --sweep /film/fps=10:-10:2
   [ "$status" -eq 2 ]
   [[ $output == *"picture 2 of 2 (fps -10) could not be made; none has been begun" ]]
