@@ -507,10 +507,10 @@ XML
 @test "an unknown command is told with those there are and the nearest" {
   run "$frond" genrate x.json
   [ "$status" -eq 2 ]
-  [[ "$output" == 'genrate: no such command; expected one of new, describe, look, render, sheet, generate, resolve, passes, draw, export, '*'; did you mean "generate"?' ]]
+  [[ "$output" == 'genrate: no such command; expected one of new, describe, '*', check, import, studio, look, '*'; did you mean "generate"?' ]]
   run "$frond" preview
   [ "$status" -eq 2 ]
-  [[ "$output" == 'preview: no such command; expected one of new, describe, look, render, sheet, generate, '* ]]
+  [[ "$output" == 'preview: no such command; expected one of new, describe, '* ]]
 }
 
 @test "an unknown option is told with the nearest that its command has" {

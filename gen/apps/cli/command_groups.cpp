@@ -14,12 +14,12 @@ struct CommandGroup {
 
 const std::vector<CommandGroup>& command_groups() {
   static const std::vector<CommandGroup> groups{
-      {"Make", {"new", "describe", "list", "check", "import", "studio"}},
+      {"Make", {"new", "describe", "list", "schema", "check", "import", "studio"}},
       {"Look", {"look", "info", "draw", "plan", "stand", "derive", "turtle"}},
       {"Render", {"render", "sheet", "generate", "resolve", "film", "compare"}},
       {"Give to other programs", {"export", "passes", "textures"}},
       {"Render on many machines", {"farm"}},
-      {"For scripts", {"schema", "files"}},
+      {"For scripts", {"files"}},
   };
   return groups;
 }
