@@ -766,7 +766,7 @@ JSON
 
 @test "an include stands alone and says so where nothing is there" {
   "$frond" new vase --from vase -q
-  run "$frond" export vase.json -o my-vase.inc
+  run --separate-stderr "$frond" export vase.json -o my-vase.inc
   [ "$status" -eq 0 ]
   [[ "$output" == 'my-vase.inc: '*'object { Frond_My_Vase(0, 0) }' ]]
   ! grep -q '#include "frond' my-vase.inc
