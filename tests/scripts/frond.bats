@@ -220,8 +220,13 @@ setup() {
   read -r frame all <<<"$(written --frames 1-2)"
   read -r same one <<<"$(written --frames 1)"
   [ "$frame" -eq "$same" ]
-  # Nothing is written of what has not begun to grow.
+  # Less is written of what has not grown yet: of what is grown from the first, each frame is as large.
   ((all > one && all <= one + frame + 1))
+  read -r frame all <<<"$(written --set /organisms/0/growth/duration=0 --frames 1-2)"
+  read -r same one <<<"$(written --set /organisms/0/growth/duration=0 --frames 1)"
+  [ "$frame" -eq "$same" ]
+  apart=$((all - one - frame))
+  [ "${apart#-}" -le 1 ]  # rounded
   run "$frond" info "$root/tests/presets/tiny_film.json" --frames 900
   [ "$status" -eq 2 ]
 }
