@@ -773,7 +773,7 @@ JSON
   "$frond" new vase --from vase -q
   run --separate-stderr "$frond" export vase.json -o my-vase.inc
   [ "$status" -eq 0 ]
-  [[ "$output" == 'my-vase.inc: '*'object { Frond_My_Vase(0, 0) }' ]]
+  [[ "$stderr" == *'my-vase.inc: '*'object { Frond_My_Vase(0, 0) }' ]]
   ! grep -q '#include "frond' my-vase.inc
   run "$frond" export "$root/presets/ivy/column.json" --frame 1000 -o ivy.inc
   [ "$status" -eq 2 ]
