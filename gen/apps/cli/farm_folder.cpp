@@ -6,10 +6,10 @@
 #include <algorithm>
 
 #include "cli/inputs.h"
-#include "cli/out_folder.h"
 #include "core/content.h"
 #include "core/files.h"
 #include "core/text.h"
+#include "pipeline/out_folder.h"
 
 namespace frond {
 

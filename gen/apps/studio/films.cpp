@@ -18,8 +18,8 @@
 #include "core/text.h"
 #include "jobs/jobs.h"
 #include "render/process.h"
+#include "scene/named_files.h"
 #include "studio/answers.h"
-#include "studio/carry.h"
 
 namespace frond {
 
