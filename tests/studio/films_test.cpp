@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/files.h"
-#include "studio/carry.h"
+#include "scene/named_files.h"
 
 namespace frond {
 namespace {
