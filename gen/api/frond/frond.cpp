@@ -93,20 +93,22 @@ std::string schema() { return preset_schema(); }
 struct Preset::Data {
   std::string source;  // its text as it was given
   fs::path file;
-  bool on_disk = false;           // the file holds that text
+  bool on_disk = false;  // the file holds that text
+  std::optional<fs::path> assets;
   std::vector<std::string> sets;  // as `--set` has them
   frond::Preset preset;
 
-  frond::Preset read(const std::vector<std::string>& with) const {
-    return or_throw(read_preset(source, file.string(), with));
+  Result<frond::Preset> read(const std::vector<std::string>& with) const {
+    return read_preset(source, file.string(), with, assets);
   }
 };
 
 namespace {
 
-std::unique_ptr<Preset::Data> data_of(std::string text, const fs::path& file, bool on_disk) {
-  auto data = std::make_unique<Preset::Data>(Preset::Data{std::move(text), file, on_disk, {}, {}});
-  data->preset = data->read({});
+std::unique_ptr<Preset::Data> data_of(std::string text, const fs::path& file, bool on_disk,
+                                      const std::optional<fs::path>& assets) {
+  auto data = std::make_unique<Preset::Data>(Preset::Data{std::move(text), file, on_disk, assets, {}, {}});
+  data->preset = or_throw(data->read({}));
   return data;
 }
 
@@ -121,22 +123,22 @@ Preset& Preset::operator=(Preset other) {
 }
 Preset::~Preset() = default;
 
-Preset Preset::read(const fs::path& file) {
+Preset Preset::read(const fs::path& file, const std::optional<fs::path>& assets) {
   std::error_code error;
   std::optional<fs::path> shipped;
   if (!fs::exists(file, error)) shipped = shipped_preset(file.string());
   fs::path found = shipped.value_or(file);
-  return Preset(data_of(or_throw(read_file(found)), found, true));
+  return Preset(data_of(or_throw(read_file(found)), found, true, assets));
 }
 
-Preset Preset::parse(std::string text, const fs::path& file) {
-  return Preset(data_of(std::move(text), file, false));
+Preset Preset::parse(std::string text, const fs::path& file, const std::optional<fs::path>& assets) {
+  return Preset(data_of(std::move(text), file, false, assets));
 }
 
 void Preset::set(const std::string& pointer, const std::string& json) {
   std::vector<std::string> sets = data_->sets;
   sets.push_back(pointer + "=" + json);
-  data_->preset = data_->read(sets);
+  data_->preset = or_throw(data_->read(sets));
   data_->sets = std::move(sets);
 }
 
@@ -236,15 +238,16 @@ std::vector<std::string> resolve_words(const Preset& preset, const std::vector<s
   std::vector<std::string> words{fs::relative(file, out, error).string(), "--film=.", "--quiet"};
   if (words[0].starts_with('-')) words[0].insert(0, "./");
   for (const std::string& set : sets) words.push_back("--set=" + set);
+  if (data.assets) words.push_back("--assets=" + fs::relative(*data.assets, out, error).string());
   return words;
 }
 
 /// The program that build.ninja calls.
-fs::path program() {
-  std::string given = environment_or("FROND_BIN", "");
+fs::path program_of(const RenderOptions& options) {
   std::error_code error;
-  for (const fs::path& place : {fs::path(given), home_folder() / "build" / "frond",
-                                home_folder().parent_path().parent_path() / "bin" / "frond"})
+  for (const fs::path& place :
+       {options.program, fs::path(environment_or("FROND_BIN", "")), home_folder() / "build" / "frond",
+        home_folder().parent_path().parent_path() / "bin" / "frond"})
     if (!place.empty() && fs::exists(place, error)) return fs::absolute(place, error);
   if (std::optional<fs::path> found = find_program("frond")) return *found;
   throw Failure({{"", "the program frond was not found; set FROND_BIN to it"}}, false);
@@ -257,10 +260,10 @@ auto with_folder(const Preset& preset, const fs::path& out, const RenderOptions&
   const Preset::Data& data = preset.data();
   frond::Preset read = data.preset;
   std::vector<std::string> sets = data.sets;
-  auto again = [&](const std::vector<std::string>& more) -> Result<frond::Preset> {
+  auto again = [&](const std::vector<std::string>& more) {
     std::vector<std::string> all = data.sets;
     all.insert(all.end(), more.begin(), more.end());
-    return read_preset(data.source, data.file.string(), all);
+    return data.read(all);
   };
   std::vector<Manifest::Budget> budgets = or_throw(count_budgets(read, again, out, ears));
   for (const Manifest::Budget& budget : budgets) sets.push_back(set_of(budget));
@@ -273,7 +276,7 @@ auto with_folder(const Preset& preset, const fs::path& out, const RenderOptions&
     throw Failure(
         {{"", fmt::format("frames {}-{}: expected some of 1-{}", range.first, range.last, read.film.frames)}},
         true);
-  FilmFolder folder{read, data.file, range, home_folder(), out, program(), {}, budgets};
+  FilmFolder folder{read, data.file, range, home_folder(), out, program_of(options), {}, budgets};
   if (read.film.raw) folder.resolve = resolve_words(preset, sets, out);
   return then(folder);
 }

@@ -84,10 +84,13 @@ std::string schema();
 /// What is to be grown and filmed, as docs/presets.md describes it: read, and without a fault.
 class Preset {
  public:
-  /// Reads a file, or a preset that comes with Frond, by its name: "oak", "garden/vases".
-  static Preset read(const std::filesystem::path& file);
+  /// Reads a file, or a preset that comes with Frond, by its name: "oak", "garden/vases". With `assets` no
+  /// file that it names is read but below the preset's own folder and that one.
+  static Preset read(const std::filesystem::path& file,
+                     const std::optional<std::filesystem::path>& assets = {});
   /// Of a text; `file` is for messages, and files that it names are looked for from there.
-  static Preset parse(std::string text, const std::filesystem::path& file = "preset.json");
+  static Preset parse(std::string text, const std::filesystem::path& file = "preset.json",
+                      const std::optional<std::filesystem::path>& assets = {});
   Preset(const Preset&);
   Preset(Preset&&) noexcept;
   Preset& operator=(Preset);
@@ -160,13 +163,16 @@ class Scene {
 Scene grow(const Preset& preset, Listener* listener = nullptr);
 
 struct RenderOptions {
-  std::optional<std::array<int, 2>> frames;  ///< first and last; none: all
-  std::string format = {};                   ///< mp4, webm, gif or mov; empty: mp4, or mov with opacity
-  int jobs = 0;                              ///< processors; 0: all
-  int every = 1;                             ///< each K-th frame first, then those between
-  bool watch = false;                        ///< keeps watch.png, which shows what is being traced
+  std::optional<std::array<int, 2>> frames = {};  ///< first and last; none: all
+  std::string format = {};                        ///< mp4, webm, gif or mov; empty: mp4, or mov with opacity
+  int jobs = 0;                                   ///< processors; 0: all
+  int every = 1;                                  ///< each K-th frame first, then those between
+  bool watch = false;                             ///< keeps watch.png, which shows what is being traced
   /// Whether frames are resolved from raw ones of one sample a pixel; none: in the quality good.
   std::optional<bool> resolve = {};
+  /// The program `frond`, which what is rendered calls; empty: $FROND_BIN, the one that came with the
+  /// library, or that of PATH.
+  std::filesystem::path program = {};
 };
 
 /// Writes frames as POV-Ray scenes, with what they include, into a folder; of `options`, frames and resolve

@@ -25,5 +25,6 @@ PYBIND11_MODULE(_frond, module) {
   add_presets(module);
   add_grammars(module);
   add_cpfg_models(module);
+  add_renders(module);
   add_scenes(module);
 }
