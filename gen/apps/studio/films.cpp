@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <system_error>
 #include <thread>
@@ -20,6 +21,7 @@
 #include "render/process.h"
 #include "scene/named_files.h"
 #include "studio/answers.h"
+#include "studio/film_rendering.h"
 
 namespace frond {
 
@@ -33,7 +35,6 @@ constexpr const char* kRun = "frond.log";
 constexpr int kMostFilms = 1000;
 constexpr int kMostFrames = 1'000'000'000;
 constexpr int kRoughWide = 240, kRoughFrames = 12;
-constexpr int kWell = 0;                                  // the exit code
 constexpr std::string_view kTransparent = "transparent";  // of what is told of a preset
 /// What browsers play that keeps opacity; a .mov is for programs that cut films.
 constexpr std::string_view kPlayedClear = "webm";
@@ -84,7 +85,7 @@ std::string film_in(const fs::path& folder) {
   return {};
 }
 
-/// What a run has said last.
+/// What a call of `frond farm` has said last.
 std::string last_line(const fs::path& log) {
   Result<std::string> text = read_file(log);
   std::string last;
@@ -105,8 +106,9 @@ struct Films::Job {
 
   // Guarded by Films::mutex_.
   std::string state = "paused", phase, message;
-  bool stop = false;
-  pid_t process = 0;
+  std::string said;  // last, by what renders it
+  std::atomic<bool> stop = false;
+  pid_t process = 0;  // of `frond farm`
   std::thread thread;
 
   fs::path preset() const { return folder / kPreset; }
@@ -206,7 +208,7 @@ std::shared_ptr<Films::Job> Films::find(const std::string& id) {
 /// With mutex_ locked.
 void Films::start(const std::shared_ptr<Job>& job) {
   if (job->thread.joinable()) job->thread.join();  // it has ended
-  job->state = "waiting", job->phase.clear(), job->message.clear(), job->stop = false;
+  job->state = "waiting", job->phase.clear(), job->message.clear(), job->said.clear(), job->stop = false;
   try {
     job->thread = std::thread([this, job] { work(*job); });
   } catch (const std::system_error&) {
@@ -227,52 +229,50 @@ void Films::work(Job& job) {
 }
 
 void Films::make(Job& job) {
-  auto words = [&](const char* command, const char* into, std::vector<std::string> sets) {
-    std::vector<std::string> all{own_program().string(), command, job.preset().string(),
-                                 "--out=" + (job.folder / into).lexically_normal().string()};
-    for (const std::string& set : sets) all.insert(all.end(), {"--set", set});
-    return all;
-  };
   std::unique_lock lock(mutex_);
   turn_.wait(lock, [&] { return !busy_ || job.stop; });
-  int code = kWell;
+  std::string fault;
   if (!job.stop) {
     busy_ = true, job.state = "rendering";
-    std::error_code error;
-    auto step = [&](const char* phase, const std::vector<std::string>& run_words) {
-      if (code != kWell || job.stop) return;
+    FilmRendering rendering(job.preset(), job.stop, [&](std::string_view line) {
+      std::lock_guard held(mutex_);
+      job.said = line;
+    });
+    auto step = [&](const char* phase, const std::function<std::string()>& run) {
+      if (!fault.empty() || job.stop) return;
       job.phase = phase;
       lock.unlock();
-      code = run(job, run_words);
+      fault = run();
       lock.lock();
     };
-    std::string format = "--format=" + std::string(job.played());
-    if (job.order.rough && !fs::exists(job.folder / "rough" / film_file(job.played()), error)) {
-      std::vector<std::string> rough = words("render", "rough", job.rough_sets);
-      rough.push_back(format);
-      step("rough", rough);
-    }
-    std::vector<std::string> whole =
-        words(job.order.farm ? "farm" : "render", "", sets_of(job.order.size, job.order.quality));
-    if (!job.order.farm) whole.push_back("--watch");
-    if (!job.order.frames.empty()) whole.push_back("--frames=" + job.order.frames);
-    step("frames", whole);
-    if (code == kWell && job.played() == kPlayedClear && !job.order.farm) {
-      step("frames", {"ninja", "-C", job.folder.string(), film_file(kPlayedClear)});
-      code = kWell;  // the film itself is there; what cannot be played is told
+    std::vector<std::string> sets = sets_of(job.order.size, job.order.quality);
+    std::error_code error;
+    if (job.order.rough && !fs::exists(job.folder / "rough" / film_file(job.played()), error))
+      step("rough",
+           [&] { return rendering.render(job.folder / "rough", job.rough_sets, "", job.played(), false); });
+    if (job.order.farm) {
+      step("frames", [&] { return hand_over(job, sets); });
+    } else {
+      step("frames", [&] { return rendering.render(job.folder, sets, job.order.frames, "", true); });
+      if (job.played() == kPlayedClear)  // the film itself is there then; what cannot be played is told
+        step("frames",
+             [&] { return rendering.render(job.folder, sets, job.order.frames, kPlayedClear, false), ""; });
     }
     busy_ = false;
   }
-  bool failed = code != kWell && !job.stop;
+  bool failed = !fault.empty() && !job.stop;
   job.state = job.stop ? "paused" : failed ? "failed" : job.order.farm ? "farm" : "done";
-  if (failed) job.message = last_line(job.folder / kRun);
+  if (failed) job.message = fault;
   turn_.notify_all();
 }
 
-int Films::run(Job& job, const std::vector<std::string>& words) {
+/// Has `frond farm` hand the film over to Slurm; what it says where it cannot.
+std::string Films::hand_over(Job& job, const std::vector<std::string>& sets) {
   int log = ::open((job.folder / kRun).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
   Command command;
-  command.words = words;
+  command.words = {own_program().string(), "farm", job.preset().string(), "--out=" + job.folder.string()};
+  for (const std::string& set : sets) command.words.insert(command.words.end(), {"--set", set});
+  if (!job.order.frames.empty()) command.words.push_back("--frames=" + job.order.frames);
   command.environment = {"FROND_HOME=" + fs::absolute(home_).string(),
                          fmt::format("FROND_THREADS={}", thread_count())};
   command.out = command.err = log;
@@ -280,9 +280,9 @@ int Films::run(Job& job, const std::vector<std::string>& words) {
   command.apart = true;
   Result<pid_t> process = frond::start(command);
   if (log >= 0) ::close(log);
+  if (!process) return process.errors().front().text();
   {
     std::lock_guard lock(mutex_);
-    if (!process) return job.message = process.errors().front().text(), 1;
     job.process = *process;
     if (job.stop) ::kill(*process, SIGTERM);
   }
@@ -290,7 +290,7 @@ int Films::run(Job& job, const std::vector<std::string>& words) {
   ::waitid(P_PID, static_cast<id_t>(*process), &ended, WEXITED | WNOWAIT);
   std::lock_guard lock(mutex_);  // nobody signals a process that is not there any more
   job.process = 0;
-  return wait_for(*process);
+  return wait_for(*process) == 0 ? "" : last_line(job.folder / kRun);
 }
 
 Json Films::told(const Job& job) const {
@@ -313,7 +313,7 @@ Json Films::told(const Job& job) const {
               {"state", job.state == "farm" && done_with ? "done" : job.state},
               {"phase", job.phase},
               {"message", job.message},
-              {"said", job.at_work() ? last_line(job.folder / kRun) : ""},
+              {"said", job.at_work() ? job.said : ""},
               {"done", std::min<std::size_t>(frames.size(), static_cast<std::size_t>(of))},
               {"of", of},
               {"there", frames},
@@ -347,7 +347,7 @@ bool Films::pause(const std::string& id) {
     Command cancel;
     cancel.words = {own_program().string(), "farm", job->preset().string(), "--out=" + job->folder.string(),
                     "--cancel"};
-    if (Result<int> code = frond::run(cancel); code && *code == kWell) job->state = "paused";
+    if (Result<int> code = frond::run(cancel); code && *code == 0) job->state = "paused";
   }
   if (job->process > 0) ::kill(job->process, SIGTERM);
   turn_.notify_all();

@@ -21,7 +21,7 @@ struct FilmOrder {
   bool farm = false;                  ///< Slurm renders it, by `frond farm`
 };
 
-/// Films that `frond render` makes for the studio, one after the other. Each has a folder of its own that
+/// Films that are rendered for the studio, one after the other. Each has a folder of its own that
 /// stays, `out/films/NAME-1` in the folder of presets, with a copy of its preset: a film that is paused is
 /// gone on with by this studio or a later one. Where nothing can be written there, a temporary folder.
 class Films {
@@ -55,8 +55,7 @@ class Films {
   void start(const std::shared_ptr<Job>& job);
   void work(Job& job);
   void make(Job& job);
-  /// Runs `frond` with these words and waits for its end; its exit code.
-  int run(Job& job, const std::vector<std::string>& words);
+  std::string hand_over(Job& job, const std::vector<std::string>& sets);
   Json told(const Job& job) const;
 
   const Documents& documents_;
