@@ -19,7 +19,7 @@
 //     #include <frond/frond.h>
 //
 //     frond::api::Preset preset = frond::api::Preset::read("oak");
-//     preset.set("/organisms/0/seed", "12");
+//     preset.set("/organisms/0/years", "80");
 //     frond::api::Scene scene = frond::api::grow(preset);
 //     scene.export_to("oak.glb");
 //     for (auto& file : frond::api::render(preset, "out/oak")) std::cout << file << '\n';
