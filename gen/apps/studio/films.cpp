@@ -1,10 +1,6 @@
 #include "studio/films.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -14,9 +10,8 @@
 
 #include "core/files.h"
 #include "core/frame_name.h"
-#include "core/parallel.h"
-#include "core/printable.h"
 #include "core/text.h"
+#include "farm/hand_over.h"
 #include "jobs/jobs.h"
 #include "render/process.h"
 #include "scene/named_files.h"
@@ -31,7 +26,6 @@ namespace {
 
 constexpr const char* kOrder = "film.json";
 constexpr const char* kPreset = "preset.json";
-constexpr const char* kRun = "frond.log";
 constexpr int kMostFilms = 1000;
 constexpr int kMostFrames = 1'000'000'000;
 constexpr int kRoughWide = 240, kRoughFrames = 12;
@@ -85,15 +79,15 @@ std::string film_in(const fs::path& folder) {
   return {};
 }
 
-/// What a call of `frond farm` has said last.
-std::string last_line(const fs::path& log) {
-  Result<std::string> text = read_file(log);
-  std::string last;
-  if (text)
-    for (std::string& line : lines_of(*text))
-      if (!line.empty()) last = std::move(line);
-  return last;
-}
+/// Whether a film is paused.
+class Paused final : public Stop {
+ public:
+  explicit Paused(const std::atomic<bool>& stop) : stop_(stop) {}
+  bool asked() override { return stop_; }
+
+ private:
+  const std::atomic<bool>& stop_;
+};
 
 }  // namespace
 
@@ -108,7 +102,6 @@ struct Films::Job {
   std::string state = "paused", phase, message;
   std::string said;  // last, by what renders it
   std::atomic<bool> stop = false;
-  pid_t process = 0;  // of `frond farm`
   std::thread thread;
 
   fs::path preset() const { return folder / kPreset; }
@@ -120,8 +113,7 @@ struct Films::Job {
   bool at_work() const { return state == "waiting" || state == "rendering"; }
 };
 
-Films::Films(const Documents& documents, fs::path home)
-    : documents_(documents), home_(std::move(home)), folder_(documents.folder() / "out/films") {
+Films::Films(const Documents& documents) : documents_(documents), folder_(documents.folder() / "out/films") {
   find_earlier();
 }
 
@@ -251,7 +243,7 @@ void Films::make(Job& job) {
       step("rough",
            [&] { return rendering.render(job.folder / "rough", job.rough_sets, "", job.played(), false); });
     if (job.order.farm) {
-      step("frames", [&] { return hand_over(job, sets); });
+      step("frames", [&] { return hand_to_farm(job, sets); });
     } else {
       step("frames", [&] { return rendering.render(job.folder, sets, job.order.frames, "", true); });
       if (job.played() == kPlayedClear)  // the film itself is there then; what cannot be played is told
@@ -266,31 +258,18 @@ void Films::make(Job& job) {
   turn_.notify_all();
 }
 
-/// Has `frond farm` hand the film over to Slurm; what it says where it cannot.
-std::string Films::hand_over(Job& job, const std::vector<std::string>& sets) {
-  int log = ::open((job.folder / kRun).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
-  Command command;
-  command.words = {own_program().string(), "farm", job.preset().string(), "--out=" + job.folder.string()};
-  for (const std::string& set : sets) command.words.insert(command.words.end(), {"--set", set});
-  if (!job.order.frames.empty()) command.words.push_back("--frames=" + job.order.frames);
-  command.environment = {"FROND_HOME=" + fs::absolute(home_).string(),
-                         fmt::format("FROND_THREADS={}", thread_count())};
-  command.out = command.err = log;
-  command.end_with = SIGTERM;
-  command.apart = true;
-  Result<pid_t> process = frond::start(command);
-  if (log >= 0) ::close(log);
-  if (!process) return process.errors().front().text();
-  {
-    std::lock_guard lock(mutex_);
-    job.process = *process;
-    if (job.stop) ::kill(*process, SIGTERM);
-  }
-  siginfo_t ended{};
-  ::waitid(P_PID, static_cast<id_t>(*process), &ended, WEXITED | WNOWAIT);
-  std::lock_guard lock(mutex_);  // nobody signals a process that is not there any more
-  job.process = 0;
-  return wait_for(*process) == 0 ? "" : last_line(job.folder / kRun);
+/// Hands the film over to Slurm; what is wrong where that cannot be.
+std::string Films::hand_to_farm(const Job& job, const std::vector<std::string>& sets) {
+  Result<std::string> text = read_file(job.preset());
+  Result<Preset> preset = text ? read_preset(*text, job.preset().string(), sets) : text.errors();
+  if (!preset) return preset.errors().front().text();
+  FarmOrder order{.file = job.preset(), .out = job.folder, .program = own_program()};
+  for (const std::string& set : sets) order.words.push_back("--set=" + set);
+  if (!job.order.frames.empty()) order.frames = job.order.frames;
+  Paused paused(job.stop);
+  RunEvents events;
+  RenderedFilm handed = hand_over(order, *preset, paused, events);
+  return handed.outcome.errors.empty() ? "" : handed.outcome.errors.front().text();
 }
 
 Json Films::told(const Job& job) const {
@@ -343,13 +322,7 @@ bool Films::pause(const std::string& id) {
   std::shared_ptr<Job> job = find(id);
   if (!job) return false;
   if (job->at_work()) job->stop = true;
-  if (job->state == "farm") {
-    Command cancel;
-    cancel.words = {own_program().string(), "farm", job->preset().string(), "--out=" + job->folder.string(),
-                    "--cancel"};
-    if (Result<int> code = frond::run(cancel); code && *code == 0) job->state = "paused";
-  }
-  if (job->process > 0) ::kill(job->process, SIGTERM);
+  if (job->state == "farm" && cancel_farm(farm_folder(job->folder)).empty()) job->state = "paused";
   turn_.notify_all();
   return true;
 }

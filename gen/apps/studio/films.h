@@ -26,7 +26,7 @@ struct FilmOrder {
 /// gone on with by this studio or a later one. Where nothing can be written there, a temporary folder.
 class Films {
  public:
-  Films(const Documents& documents, std::filesystem::path home);
+  explicit Films(const Documents& documents);
   /// Pauses what is at work.
   ~Films();
   Films(const Films&) = delete;
@@ -55,11 +55,11 @@ class Films {
   void start(const std::shared_ptr<Job>& job);
   void work(Job& job);
   void make(Job& job);
-  std::string hand_over(Job& job, const std::vector<std::string>& sets);
+  std::string hand_to_farm(const Job& job, const std::vector<std::string>& sets);
   Json told(const Job& job) const;
 
   const Documents& documents_;
-  std::filesystem::path home_, folder_;
+  std::filesystem::path folder_;
   std::mutex mutex_;              // guards the jobs
   std::condition_variable turn_;  // one renders at a time
   bool busy_ = false;
