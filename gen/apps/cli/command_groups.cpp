@@ -19,7 +19,7 @@ const std::vector<CommandGroup>& command_groups() {
       {"Render", {"render", "sheet", "generate", "resolve", "film", "compare"}},
       {"Give to other programs", {"export", "passes", "textures"}},
       {"Render on many machines", {"farm"}},
-      {"For scripts", {"files"}},
+      {"For scripts", {"files", "completion", "man"}},
   };
   return groups;
 }

@@ -9,6 +9,7 @@
 
 #include "cli/command_groups.h"
 #include "cli/commands.h"
+#include "cli/completion.h"
 #include "cli/inputs.h"
 #include "cli/judge.h"
 #include "cli/messages.h"
@@ -336,15 +337,15 @@ int run(int count, char** words) {
   app.require_subcommand(0, 1);
   app.set_version_flag("--version", version());
   app.footer(
-      "FROND_HOME is the folder that holds templates/, povinc/, presets/ and scripts/, where that is not the "
-      "one "
-      "above the program's own.");
+      "FROND_HOME is the folder that holds templates/, povinc/ and presets/, where that is not the one that "
+      "the "
+      "program was built in or is installed with.");
   int result = kDone;
   for (auto add : {add_new,     add_describe, add_catalogue, add_check,    add_import,  add_studio,
                    add_look,    add_info,     add_draw,      add_plan,     add_stand,   add_derive,
                    add_turtle,  add_render,   add_sheet,     add_generate, add_resolve, add_film,
                    add_compare, add_export,   add_passes,    add_textures, add_farm,    add_files,
-                   add_develop, add_confine,  add_frame,     add_task,     add_gallery})
+                   add_develop, add_confine,  add_frame,     add_task,     add_gallery, add_completion})
     add(app, result);
   group_commands(app);
   judge_options(app);
