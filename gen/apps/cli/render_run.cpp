@@ -10,8 +10,10 @@
 
 #include "cli/bar.h"
 #include "cli/commands.h"
+#include "cli/heartbeat.h"
 #include "cli/inputs.h"
 #include "cli/messages.h"
+#include "cli/streams.h"
 #include "core/files.h"
 #include "core/frame_name.h"
 #include "core/text.h"
@@ -26,6 +28,8 @@ namespace {
 
 constexpr int kMostFaults = 6;  // that are shown
 constexpr std::string_view kNoRoom = ": no room on the disk";
+constexpr std::string_view kResolving = "resolving frames ";
+constexpr double kSilence = 1.75;  // seconds; nothing is told of a second without events
 
 std::string picture_in(std::string_view folder, int frame) {
   return fmt::format("{}/{}.png", folder, frame_name(frame));
@@ -97,6 +101,8 @@ void RenderRun::remove_old_results() {
   }
   // One that is damaged, or another film's.
   fs::path film = settings_.out / wanted[0];
+  now_doing("counting the frames of the film");
+  Heartbeat heartbeat;
   if (!manifest_.still && fs::is_regular_file(film, error) &&
       frames_in(film, settings_.ffmpeg) != static_cast<int>(manifest_.frames.size()))
     fs::remove(film, error);
@@ -105,14 +111,18 @@ void RenderRun::remove_old_results() {
 void RenderRun::find_what_to_do() {
   std::vector<std::string> words = results();
   words.insert(words.begin(), "-n");
-  for (const std::string& line : lines_of(ninja_.answer(words)))
+  for (const std::string& line : lines_of(ninja_.answer(words))) {
     if (int frame = frame_of(line)) to_do_.push_back(frame);
+    if (line.starts_with(kResolving)) ++to_resolve_;
+  }
 }
 
 void RenderRun::begin() {
   std::size_t all = static_cast<std::size_t>(all_frames());
-  if (to_do_.empty())
+  if (to_do_.empty() && to_resolve_ == 0)
     say(fmt::format("Nothing to render: all {} frames are up to date.", all));
+  else if (to_do_.empty())
+    say("Resolving frames");
   else if (to_do_.size() < all)
     say(fmt::format("Rendering {} of {} frames; the others are up to date.", to_do_.size(), all));
   else
@@ -124,7 +134,7 @@ void RenderRun::begin() {
     watched_.emplace(file, scenes, drawn, manifest_.size);
     say("What is traced shows in " + file.string());
   }
-  said_at_ = seconds_now();
+  begin_wait();
   // Processors that no frame of their own keeps busy help with another.
   int frames = static_cast<int>(to_do_.size());
   int threads = frames > 0 && settings_.jobs > frames ? settings_.jobs / frames : 1;
@@ -178,6 +188,8 @@ Errors RenderRun::render_every_kth() {
     job.fps = number_text(manifest_.fps / step, 6);
     job.title = "preview";
     job.ffmpeg = settings_.ffmpeg;
+    now_doing("encoding a film of some of the frames");
+    Heartbeat heartbeat;
     if (Errors errors = encode_film(job); !errors.empty()) return errors;
     say(fmt::format("One of {} frames is there, and a film of them: {}", step, job.film.string()));
   }
@@ -212,6 +224,8 @@ int RenderRun::end() {
   if (gave_up_ || !failed_.empty()) return fail_run({lost_frames()}, kCouldNot);
   fs::path film = settings_.out / results()[0];
   int all = static_cast<int>(manifest_.frames.size());
+  now_doing("counting the frames of the film");
+  Heartbeat heartbeat;
   int held = manifest_.still ? all : frames_in(film, settings_.ffmpeg);
   if (held != all)
     return fail_run({{"", fmt::format("{} holds {} of {} frames", film.string(), held, all)}}, kCouldNot);
@@ -228,12 +242,14 @@ int RenderRun::end() {
 }
 
 void RenderRun::done(std::string_view what) {
+  int wanted = static_cast<int>(to_do_.size());
+  if (what.starts_with(kResolving) && --to_resolve_ == 0 && left_->done() >= wanted) begin_last();
   int frame = frame_of(what);
   if (frame == 0) return;
   left_->frame_done(frame);
   double now = seconds_now();
   left_->look(now);
-  int all = all_frames(), wanted = static_cast<int>(to_do_.size());
+  int all = all_frames();
   int there = all - wanted + left_->done();
   bool last = left_->done() == wanted;
   std::string text = fmt::format("frame {} of {}", there, all);
@@ -249,25 +265,46 @@ void RenderRun::done(std::string_view what) {
     said_at_ = now;
     say(text);
   }
-  if (last && !manifest_.still) say("Encoding the film");
+  if (last) begin_last();
+}
+
+void RenderRun::begin_last() {
+  end_bar();
+  if (to_resolve_ > 0)
+    say("Resolving frames");
+  else if (!manifest_.still)
+    say("Encoding the film");
+  begin_wait();
+}
+
+void RenderRun::begin_wait() {
+  waits_since_ = said_at_ = seconds_now();
+  pause_ = kSilence;
 }
 
 void RenderRun::idle() {
-  int wanted = static_cast<int>(to_do_.size());
-  if (left_->done() >= wanted) return;
   double now = seconds_now();
-  left_->look(now);
-  if (watched_) watched_->look(now);
-  int percent = left_->percent();
-  std::string text = fmt::format("{} % of the {}", percent,
-                                 wanted == 1 ? std::string("picture") : fmt::format("{} frames", wanted));
-  if (std::optional<double> left = left_->seconds_left(now))
-    text += fmt::format(", about {} left", clock_text(*left));
-  if (left_->reads()) text += ", reading the scene";
+  int percent = 100, wanted = static_cast<int>(to_do_.size());
+  std::string text;
+  if (left_->done() < wanted) {
+    left_->look(now);
+    if (watched_) watched_->look(now);
+    percent = left_->percent();
+    text = fmt::format("{} % of the {}", percent,
+                       wanted == 1 ? std::string("picture") : fmt::format("{} frames", wanted));
+    if (std::optional<double> left = left_->seconds_left(now))
+      text += fmt::format(", about {} left", clock_text(*left));
+    if (left_->reads()) text += ", reading the scene";
+  } else {
+    const char* what = to_resolve_ > 0   ? "resolving frames"
+                       : manifest_.still ? "writing the picture"
+                                         : "encoding the film";
+    text = fmt::format("still {} ({:.0f} s)", what, now - waits_since_);
+  }
   constexpr double kLongest = 60;
   if (on_terminal()) {
     draw_bar(percent, 100, text);
-  } else if ((wanted == 1 && percent / 10 > tenth_) || now >= said_at_ + pause_) {
+  } else if ((wanted == 1 && percent < 100 && percent / 10 > tenth_) || now >= said_at_ + pause_) {
     tenth_ = percent / 10;
     said_at_ = now;
     if (pause_ < kLongest) pause_ *= 2;
