@@ -252,6 +252,20 @@ TEST(CostEstimate, CountsMasksInMemory) {
   EXPECT_LT(estimate_of(preset).memory(1), bare + 4 * held);
 }
 
+TEST(CostEstimate, RefusesAStillWhoseTracingFillsTheDisk) {
+  Preset preset = preset_at("tests/presets/tiny_still.json");
+  preset.film.raw = true, preset.film.frames = 1, preset.film.size = {16000, 16000};
+  CostEstimate estimate = estimate_of(preset);
+  // POV-Ray notes 20 bytes of each sample, and has a file for those that it does not hold.
+  EXPECT_NEAR(estimate.tracing_disk, 40.0 * 32000 * 32000, 1e6);
+  Machine machine{.memory = 2e10, .disk = 2 * estimate.disk(), .threads = 8};
+  Errors errors = refuse(estimate, machine);
+  ASSERT_FALSE(errors.empty());
+  EXPECT_EQ(errors.front().where, "/film/size");
+  machine.disk += estimate.tracing_disk;
+  EXPECT_TRUE(refuse(estimate, machine).empty());
+}
+
 TEST(CostEstimate, RefusesPicturesThatCannotBeResolved) {
   Preset preset = preset_at("presets/garden/bush.json");
   preset.film.raw = true, preset.film.frames = 100, preset.film.size = {16384, 16384};

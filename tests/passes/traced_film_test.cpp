@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <map>
+#include <new>
 
 #include "passes/frame_passes.h"
+#include "passes/mesh_group.h"
 #include "scene_at.h"
 
 namespace frond {
@@ -124,6 +127,32 @@ TEST(TracedFrame, WhatMovesMayLieWhereSomethingStill) {
     met += hit.spot.thing.kind == ThingKind::body;
   });
   EXPECT_GT(met, 100);
+}
+
+/// Lets Embree have so many bytes, and then none, as long as it lives.
+class EmbreeMemory {
+ public:
+  explicit EmbreeMemory(std::int64_t bytes) : left_(bytes) {
+    rtcSetDeviceMemoryMonitorFunction(
+        embree_device(),
+        [](void* own, ssize_t more, bool) {
+          return (static_cast<EmbreeMemory*>(own)->left_ -= more) >= 0 || more <= 0;
+        },
+        this);
+  }
+  ~EmbreeMemory() { rtcSetDeviceMemoryMonitorFunction(embree_device(), nullptr, nullptr); }
+
+ private:
+  std::atomic<std::int64_t> left_;
+};
+
+TEST(TracedFilm, IsNoneWhereMemoryRunsOut) {
+  Scene scene = scene_at("tests/presets/tiny_vases.json");
+  for (std::int64_t bytes : {0, 100, 1000, 10'000, 100'000}) {
+    EmbreeMemory little(bytes);
+    EXPECT_THROW((void)TracedFilm::of(scene), std::bad_alloc) << bytes;
+  }
+  EXPECT_TRUE(TracedFilm::of(scene)) << "what went wrong is over";
 }
 
 TEST(FramePasses, SharesAddUpToTheCoverage) {

@@ -159,3 +159,26 @@ PNG
   echo "$line"
   [[ $line == "still resolving frames ("*" s)" ]]
 }
+
+@test "render tells that it is still at work while it resolves" {
+  make_fake_povray
+  make_preset film.json 1
+  # A ninja whose resolving waits until it may go on.
+  mkfifo told goes_on
+  mkdir bin
+  cat >bin/ninja <<SH
+#!/usr/bin/env bash
+[[ ! -e build.ninja ]] || sed -i 's|= exec \$frond resolve|= cat $PWD/goes_on; exec \$frond resolve|' build.ninja
+exec $(command -v ninja) "\$@"
+SH
+  chmod +x bin/ninja
+  PATH=$PWD/bin:$PATH "$frond" render film.json --resolve --size 80x60 2>told >/dev/null 3>&- &
+  local running=$! heard=""
+  while read -r line; do
+    heard+=$line$'\n'
+    if [[ $line == "still resolving frames ("*" s)" && -p goes_on ]]; then echo >goes_on && rm goes_on; fi
+  done <told
+  echo "$heard"
+  wait "$running"
+  [[ $heard == *$'\nResolving frames\nstill resolving frames ('*" s)"* ]]
+}

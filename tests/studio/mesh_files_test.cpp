@@ -50,6 +50,15 @@ TEST(MeshFiles, AMeshKeepsTheFilesThatItNamesAndOnlyThese) {
   EXPECT_EQ(put->name, "my_barrel-2/my_barrel.obj");
 }
 
+TEST(MeshFiles, OfAFolderThatCannotBeWrittenWholeNothingIsLeft) {
+  WorkFolder folder;
+  std::string unwritable(300, 'z');
+  Result<PutFiles> put = put_folder(folder.path(), "barrel", {{"barrel.obj", kObj}, {unwritable, kMtl}});
+  ASSERT_FALSE(put);
+  EXPECT_EQ(put.errors()[0].where, (folder.path() / "barrel" / unwritable).string());
+  EXPECT_TRUE(files_in(folder.path()).empty());
+}
+
 TEST(MeshFiles, AMeshEndsAsWhatItHoldsAndWhatIsNoneIsNotWritten) {
   WorkFolder folder;
   const char* stl =

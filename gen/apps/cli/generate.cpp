@@ -1,5 +1,4 @@
 #include "cli/commands.h"
-#include "cli/heartbeat.h"
 #include "cli/inputs.h"
 #include "cli/messages.h"
 #include "cli/rendering.h"
@@ -31,8 +30,8 @@ std::vector<std::string> resolve_words(PresetArguments preset, const fs::path& o
 
 int generate(GenerateArguments arguments) {
   limit_threads(arguments.threads);
-  Heartbeat heartbeat(arguments.quiet);
   TerminalEvents events(arguments.quiet);
+  events.doing("reading the preset");
   fs::path file = arguments.preset.path;
   fs::path out = arguments.out.empty() ? fs::path("out") / file.stem() : fs::path(arguments.out);
   Result<Preset> preset = load_preset(arguments.preset);

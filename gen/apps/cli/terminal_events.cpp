@@ -8,13 +8,25 @@
 
 namespace frond {
 
-TerminalEvents::TerminalEvents(bool quiet) : quiet_(quiet), said_at_(seconds_now()) {}
+namespace {
 
-void TerminalEvents::doing(const char* what) { now_doing(what); }
+constexpr double kSilence = 2;  // seconds
+
+}  // namespace
+
+TerminalEvents::TerminalEvents(bool quiet) : quiet_(quiet), said_at_(seconds_now()), pause_(kSilence) {}
+
+void TerminalEvents::doing(const char* what) {
+  now_doing(what);
+  if (!heartbeat_) heartbeat_.emplace(quiet_);
+}
 
 void TerminalEvents::note(std::string_view line) { say(line); }
 
 void TerminalEvents::report(std::string_view line) {
+  heartbeat_.reset();
+  said_at_ = seconds_now();
+  pause_ = kSilence;
   if (!quiet_) say(line);
 }
 
@@ -27,6 +39,7 @@ void TerminalEvents::step() { phase_->step(); }
 void TerminalEvents::end() { phase_.reset(); }
 
 void TerminalEvents::rendered(const RenderedSoFar& frames) {
+  heartbeat_.reset();
   constexpr int kFew = 200;
   constexpr double kSeldom = 5, kLongest = 60;  // seconds
   if (on_terminal()) {
@@ -40,7 +53,7 @@ void TerminalEvents::rendered(const RenderedSoFar& frames) {
   if (frames.whole) {
     if (!frames.last && frames.wanted > kFew && now < said_at_ + kSeldom) return;
   } else {
-    bool tenth = frames.wanted == 1 && frames.percent / 10 > tenth_;
+    bool tenth = frames.wanted == 1 && frames.percent < 100 && frames.percent / 10 > tenth_;
     if (!tenth && now < said_at_ + pause_) return;
     tenth_ = frames.percent / 10;
     if (pause_ < kLongest) pause_ *= 2;

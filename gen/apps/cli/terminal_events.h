@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "cli/heartbeat.h"
 #include "cli/progress.h"
 #include "pipeline/events.h"
 
@@ -23,8 +24,9 @@ class TerminalEvents : public RunEvents {
 
  private:
   bool quiet_;
+  std::optional<Heartbeat> heartbeat_;  // while something may take its time of which nothing else is told
   std::optional<Progress> phase_;
-  double said_at_, pause_ = 10;  // seconds
+  double said_at_, pause_;  // seconds
   int tenth_ = -1;
 };
 

@@ -20,6 +20,23 @@ bool holds(const fs::path& folder, const std::map<std::string, std::string>& con
   return true;
 }
 
+/// Writes files as a new folder: all of them or, as where the disk fills, none.
+Errors write_folder(const fs::path& folder, const std::map<std::string, std::string>& contents) {
+  fs::path temporary = temporary_beside(folder);
+  Errors errors;
+  for (const auto& [file, content] : contents)
+    if (Result<bool> written = write_file(temporary / file, content); !written) {
+      errors = written.errors();
+      for (Error& error : errors) error.where = (folder / file).string();
+      break;
+    }
+  std::error_code error, ignored;
+  if (errors.empty()) fs::rename(temporary, folder, error);
+  if (error) errors.push_back({folder.string(), "cannot be put in place: " + reason_of(error)});
+  if (!errors.empty()) fs::remove_all(temporary, ignored);
+  return errors;
+}
+
 }  // namespace
 
 Result<PutFiles> put_beside(const fs::path& folder, const std::string& name, const std::string& content) {
@@ -50,8 +67,7 @@ Result<PutFiles> put_folder(const fs::path& folder, const std::string& name,
       if (holds(folder / own, contents)) return PutFiles{own};
       continue;
     }
-    for (const auto& [file, content] : contents)
-      if (Result<bool> written = write_file(folder / own / file, content); !written) return written.errors();
+    if (Errors errors = write_folder(folder / own, contents); !errors.empty()) return errors;
     return PutFiles{own, true};
   }
   return Error{name, "there are too many folders of that name"};

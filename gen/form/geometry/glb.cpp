@@ -27,6 +27,15 @@ struct Fault {
 enum Component { kByte = 5120, kUnsignedByte, kShort, kUnsignedShort, kUnsignedInt = 5125, kFloat };
 enum Mode { kTriangles = 4, kStrip, kFan };
 
+/// A description, which nests no deeper than any that is meant: to copy or free one takes the stack.
+Json parsed(std::string_view text) {
+  constexpr int kDeepest = 200;
+  return Json::parse(text, [](int depth, Json::parse_event_t, const Json&) {
+    if (depth > kDeepest) throw Fault{"has a description that nests too deeply"};
+    return true;
+  });
+}
+
 std::size_t size_of(int component) {
   switch (component) {
     case kByte:
@@ -47,6 +56,14 @@ std::size_t width_of(const std::string& type) {
   for (auto [name, width] : {std::pair("SCALAR", 1), {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}})
     if (type == name) return static_cast<std::size_t>(width);
   throw Fault{fmt::format("an accessor of type {} where numbers or vectors are expected", type)};
+}
+
+const Vec2 kNoTexture(std::numeric_limits<float>::quiet_NaN());
+
+/// A vector, or another where one of its numbers is none or infinite.
+template <class V>
+V finite(const V& v, const V& otherwise) {
+  return std::isfinite(glm::dot(v, V(0))) ? v : otherwise;
 }
 
 class GlbReader {
@@ -79,7 +96,7 @@ class GlbReader {
       std::uint32_t length = *reader.take<std::uint32_t>(), kind = *reader.take<std::uint32_t>();
       std::string_view chunk = bytes.substr(bytes.size() - reader.left());
       if (!reader.skip(length)) throw Fault{"is a GLB file that ends too early"};
-      if (kind == kJson) json_ = Json::parse(chunk.substr(0, length));
+      if (kind == kJson) json_ = parsed(chunk.substr(0, length));
       if (kind == kBinary && binary_.empty()) binary_ = chunk.substr(0, length);
     }
     if (!json_.is_object()) throw Fault{"is a GLB file without its description"};
@@ -257,7 +274,7 @@ class GlbReader {
       int mode = primitive.value("mode", static_cast<int>(kTriangles));
       if (mode < kTriangles || mode > kFan || !primitive.at("attributes").contains("POSITION")) continue;
       std::int32_t material = primitive.value("material", PolygonMesh::kNone);
-      if (material >= static_cast<std::int32_t>(mesh_.material.size()))
+      if (material < PolygonMesh::kNone || material >= static_cast<std::int32_t>(mesh_.material.size()))
         throw Fault{"names a material that it has not"};
       std::uint32_t part = mesh_.part_of({node, mesh.value("name", std::string()), material});
       add_primitive(primitive, mode, to, part);
@@ -277,6 +294,7 @@ class GlbReader {
     std::size_t width = 3, first = mesh_.place.size();
     std::vector<double> at = attribute(primitive, "POSITION", 3, width);
     std::size_t count = at.size() / width;
+    check_repeated(first + count);
     for (std::size_t i = 0; i < count; ++i) {
       glm::dvec4 p = to * glm::dvec4(at[i * width], at[i * width + 1], at[i * width + 2], 1);
       if (!(std::abs(p.x) < 1e38 && std::abs(p.y) < 1e38 && std::abs(p.z) < 1e38))
@@ -289,18 +307,26 @@ class GlbReader {
     for (std::size_t i = 0; i + 2 < normal.size(); i += width)
       normal_.push_back(Vec3(turn * DVec3(normal[i], normal[i + 1], normal[i + 2])));
     std::vector<double> uv = attribute(primitive, "TEXCOORD_0", 2, width);
-    texture_.resize(first, Vec2(std::numeric_limits<float>::quiet_NaN()));
-    for (std::size_t i = 0; i + 1 < uv.size(); i += width) texture_.emplace_back(uv[i], 1 - uv[i + 1]);
+    texture_.resize(first, kNoTexture);
+    for (std::size_t i = 0; i + 1 < uv.size(); i += width)
+      texture_.push_back(finite(Vec2(uv[i], 1 - uv[i + 1]), kNoTexture));
     std::vector<double> color = attribute(primitive, "COLOR_0", 3, width);
     color_.resize(first, Vec3(-1));
     for (std::size_t i = 0; i + 2 < color.size(); i += width) {
-      Color shown = srgb(glm::clamp(Vec3(color[i], color[i + 1], color[i + 2]), Vec3(0), Vec3(1)));
+      Vec3 light = finite(Vec3(color[i], color[i + 1], color[i + 2]), Vec3(0));
+      Color shown = srgb(glm::clamp(light, Vec3(0), Vec3(1)));
       color_.emplace_back(shown.red, shown.green, shown.blue);
     }
     normal_.resize(first + count, Vec3(0));
-    texture_.resize(first + count, Vec2(std::numeric_limits<float>::quiet_NaN()));
+    texture_.resize(first + count, kNoTexture);
     color_.resize(first + count, Vec3(-1));
     add_faces(indices(primitive, count), mode, first, part, glm::determinant(glm::dmat3(to)) < 0);
+  }
+
+  /// Refuses more vertices or triangles than are meant: few bytes may name the same data many times.
+  void check_repeated(std::size_t count) const {
+    if (count > 10'000'000 + binary_.size())
+      throw Fault{"draws the same data so often that it comes to more than 10 million vertices"};
   }
 
   std::vector<std::uint32_t> indices(const Json& primitive, std::size_t count) const {
@@ -319,6 +345,7 @@ class GlbReader {
 
   void add_faces(const std::vector<std::uint32_t>& index, int mode, std::size_t first, std::uint32_t part,
                  bool mirrored) {
+    check_repeated(mesh_.face.size() + index.size());
     auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
       if (mirrored) std::swap(b, c);
       mesh_.face.push_back({mesh_.corner.size(), 3, part, 0});

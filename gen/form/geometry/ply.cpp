@@ -94,6 +94,7 @@ class PlyParser {
         return Error{name_,
                      fmt::format("a face names vertex {}; expected one of the {} that the file has, from 0",
                                  corner.place, mesh_.place.size())};
+    settle_attributes();
     return std::move(mesh_);
   }
 
@@ -180,7 +181,23 @@ class PlyParser {
     return false;
   }
 
+  /// Keeps of normals, texture coordinates and colours what all vertices have, and what are numbers.
+  void settle_attributes() {
+    std::size_t count = mesh_.place.size();
+    if (mesh_.color.size() != count) mesh_.color.clear();
+    if (mesh_.texture.size() != count) mesh_.texture.clear();
+    if (mesh_.normal.size() != count) mesh_.normal.clear();
+    for (Vec3& color : mesh_.color)
+      if (!std::isfinite(glm::dot(color, Vec3(0)))) color = Vec3(0);
+    for (PolygonMesh::Corner& corner : mesh_.corner) {
+      if (mesh_.texture.empty() || !std::isfinite(glm::dot(mesh_.texture[corner.place], Vec2(0))))
+        corner.texture = PolygonMesh::kNone;
+      if (mesh_.normal.empty()) corner.normal = PolygonMesh::kNone;
+    }
+  }
+
   std::string read_element(const Element& element) {
+    if (element.properties.empty()) return {};  // however many
     std::array<bool, kSlots> has{};
     bool vertices = element.name == "vertex", bytes = false;
     for (const Property& p : element.properties)

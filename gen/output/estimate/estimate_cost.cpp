@@ -359,6 +359,7 @@ Result<CostEstimate> estimate_cost(const Preset& preset, FilmPart part) {
       estimate_ground_cost(preset, tallest_of(preset), f.copies > kCrowdedLight, sums->standing);
   f.frames = part.count();
   f.resolve_memory = estimate_resolving(preset);
+  f.tracing_disk = estimate_tracing_disk(preset.film);
   f.exposures = exposures(preset.film, preset.stage.camera);
   f.scene_memory += kProgram + ground.memory;
   f.growth_seconds += kStart + ground.seconds;

@@ -20,6 +20,7 @@ struct CostEstimate {
   double growth_memory = 0;                   ///< the most that is held before the first is written
   double growth_seconds = 0, frame_seconds = 0;  ///< before the frames; for each
   double picture_bytes = 0;                      ///< of one rendered picture
+  double tracing_disk = 0;                       ///< bytes that POV-Ray takes more while it traces one
   double resolve_memory = 0;                     ///< bytes while a picture is made of raw ones, where it is
   double render_seconds = 0;                     ///< for POV-Ray to render one frame
   std::size_t largest = 0;                       ///< the organism that takes most

@@ -25,6 +25,13 @@ MaskCostEstimate estimate_masks(const Preset& preset) {
   return masks;
 }
 
+double estimate_tracing_disk(const Film& film) {
+  constexpr double kNoted = 20;                // of a pixel: what has been traced is noted, to go on from
+  constexpr double kHeld = 128 * 1024 * 1024;  // of a picture, in memory; a larger one has a file of its own
+  double noted = kNoted * film.drawn_size()[0] * film.drawn_size()[1];
+  return noted > kHeld ? 2 * noted : noted;
+}
+
 double estimate_resolving(const Preset& preset) {
   constexpr double kSampleHeld = 220;  // of a raw sample: its light, what it shows, and where that is now
   constexpr int kFrames = 9;           // raw ones that a frame is made of

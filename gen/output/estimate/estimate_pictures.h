@@ -16,6 +16,9 @@ MaskCostEstimate estimate_masks(const Preset& preset);
 /// Samples of a raw still that are resolved at once; one of more of them is resolved in bands.
 inline constexpr double kResolvedWhole = 1e7;
 
+/// Bytes of disk that POV-Ray takes while it traces a picture of a film, beside the picture.
+double estimate_tracing_disk(const Film& film);
+
 /// Bytes of memory while a picture of a film is made of raw ones; 0 where none is.
 double estimate_resolving(const Preset& preset);
 

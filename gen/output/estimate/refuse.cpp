@@ -33,6 +33,13 @@ Errors refuse(const CostEstimate& f, const Machine& machine) {
                          "another --out; /organisms/{} takes most of it",
                          bytes_text(f.disk()), f.frames, bytes_text(f.frame_bytes + f.picture_bytes),
                          bytes_text(f.shared_bytes), bytes_text(machine.disk), f.largest)});
+  else if (f.disk() + f.tracing_disk > machine.disk)
+    errors.push_back(
+        {"/film/size",
+         fmt::format("POV-Ray would take about {} of the disk while it traces a picture, beside "
+                     "the {} of the run, and {} are free; expected a smaller size, or another "
+                     "--out",
+                     bytes_text(f.tracing_disk), bytes_text(f.disk()), bytes_text(machine.disk))});
   return errors;
 }
 

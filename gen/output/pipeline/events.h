@@ -7,12 +7,12 @@ namespace frond {
 
 /// How far the pictures of a run are.
 struct RenderedSoFar {
-  int done = 0, all = 0;   ///< frames
-  int percent = 0;         ///< of what is to be rendered in this run
-  bool whole = false;      ///< a frame has just ended; else some of one has been traced
-  bool last = false;       ///< it was the last one
-  int wanted = 0;          ///< frames that this run renders
-  std::string_view words;  ///< all of this for people, with the time that is left
+  int done = 0, all = 0;        ///< frames
+  int percent = 0;              ///< of what is to be rendered in this run
+  bool whole = false;           ///< a frame has just ended; else some of one has been traced
+  bool last = false;            ///< it was the last one
+  int wanted = 0;               ///< frames that this run renders
+  std::string_view words = {};  ///< all of this for people, with the time that is left
 };
 
 /// Whom a run tells how far it is. All but step() and cancelled() are called by the thread that runs it.

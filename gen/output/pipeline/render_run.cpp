@@ -22,6 +22,8 @@ namespace {
 
 constexpr int kMostFaults = 6;  // that are shown
 constexpr std::string_view kNoRoom = ": no room on the disk";
+constexpr std::string_view kResolving = "resolving frames ";
+constexpr double kSilence = 1.75;  // seconds; nothing is told of a second without events
 
 std::string picture_in(std::string_view folder, int frame) {
   return fmt::format("{}/{}.png", folder, frame_name(frame));
@@ -94,6 +96,7 @@ void RenderRun::remove_old_results() {
   }
   // One that is damaged, or another film's.
   fs::path film = settings_.out / wanted[0];
+  events_.doing("counting the frames of the film");
   if (!manifest_.still && fs::is_regular_file(film, error) &&
       frames_in(film, settings_.ffmpeg) != static_cast<int>(manifest_.frames.size()))
     fs::remove(film, error);
@@ -102,14 +105,18 @@ void RenderRun::remove_old_results() {
 void RenderRun::find_what_to_do() {
   std::vector<std::string> words = results();
   words.insert(words.begin(), "-n");
-  for (const std::string& line : lines_of(ninja_.answer(words)))
+  for (const std::string& line : lines_of(ninja_.answer(words))) {
     if (int frame = frame_of(line)) to_do_.push_back(frame);
+    if (line.starts_with(kResolving)) ++to_resolve_;
+  }
 }
 
 void RenderRun::begin() {
   std::size_t all = static_cast<std::size_t>(all_frames());
-  if (to_do_.empty())
+  if (to_do_.empty() && to_resolve_ == 0)
     events_.report(fmt::format("Nothing to render: all {} frames are up to date.", all));
+  else if (to_do_.empty())
+    events_.report("Resolving frames");
   else if (to_do_.size() < all)
     events_.report(fmt::format("Rendering {} of {} frames; the others are up to date.", to_do_.size(), all));
   else
@@ -121,6 +128,7 @@ void RenderRun::begin() {
     watched_.emplace(file, scenes, drawn, manifest_.size);
     events_.report("What is traced shows in " + file.string());
   }
+  waits_since_ = seconds_now();
   // Processors that no frame of their own keeps busy help with another.
   int frames = static_cast<int>(to_do_.size());
   int threads = frames > 0 && settings_.jobs > frames ? settings_.jobs / frames : 1;
@@ -174,6 +182,7 @@ Errors RenderRun::render_every_kth() {
     job.fps = number_text(manifest_.fps / step, 6);
     job.title = "preview";
     job.ffmpeg = settings_.ffmpeg;
+    events_.doing("encoding a film of some of the frames");
     if (Errors errors = encode_film(job); !errors.empty()) return errors;
     events_.report(fmt::format("One of {} frames is there, and a film of them: {}", step, job.film.string()));
   }
@@ -209,6 +218,7 @@ Outcome RenderRun::end() {
   if (!errors_.empty()) return {errors_};
   fs::path film = settings_.out / results()[0];
   int all = static_cast<int>(manifest_.frames.size());
+  events_.doing("counting the frames of the film");
   int held = manifest_.still ? all : frames_in(film, settings_.ffmpeg);
   if (held != all) return {{{"", fmt::format("{} holds {} of {} frames", film.string(), held, all)}}};
   // Unfinished pictures that are no part of this film, and what killed runs have left.
@@ -224,12 +234,14 @@ Outcome RenderRun::end() {
 }
 
 void RenderRun::done(std::string_view what) {
+  int wanted = static_cast<int>(to_do_.size());
+  if (what.starts_with(kResolving) && --to_resolve_ == 0 && left_->done() >= wanted) begin_last();
   int frame = frame_of(what);
   if (frame == 0) return;
   left_->frame_done(frame);
   double now = seconds_now();
   left_->look(now);
-  int all = all_frames(), wanted = static_cast<int>(to_do_.size());
+  int all = all_frames();
   int there = all - wanted + left_->done();
   bool last = left_->done() == wanted;
   std::string text = fmt::format("frame {} of {}", there, all);
@@ -244,27 +256,40 @@ void RenderRun::done(std::string_view what) {
                     .last = last,
                     .wanted = wanted,
                     .words = text});
-  if (last && !manifest_.still) events_.report("Encoding the film");
+  if (last) begin_last();
+}
+
+void RenderRun::begin_last() {
+  if (to_resolve_ > 0)
+    events_.report("Resolving frames");
+  else if (!manifest_.still)
+    events_.report("Encoding the film");
+  waits_since_ = seconds_now();
 }
 
 void RenderRun::idle() {
-  int wanted = static_cast<int>(to_do_.size());
-  if (left_->done() >= wanted) return;
   double now = seconds_now();
-  left_->look(now);
-  if (watched_) watched_->look(now);
-  int percent = left_->percent();
-  std::string text = fmt::format("{} % of the {}", percent,
-                                 wanted == 1 ? std::string("picture") : fmt::format("{} frames", wanted));
-  if (std::optional<double> left = left_->seconds_left(now))
-    text += fmt::format(", about {} left", clock_text(*left));
-  if (left_->reads()) text += ", reading the scene";
-  int all = all_frames();
-  events_.rendered({.done = all - wanted + left_->done(),
-                    .all = all,
-                    .percent = percent,
-                    .wanted = wanted,
-                    .words = text});
+  int all = all_frames(), wanted = static_cast<int>(to_do_.size());
+  RenderedSoFar so_far{
+      .done = all - wanted + left_->done(), .all = all, .percent = 100, .wanted = wanted, .words = {}};
+  std::string text;
+  if (left_->done() < wanted) {
+    left_->look(now);
+    if (watched_) watched_->look(now);
+    so_far.percent = left_->percent();
+    text = fmt::format("{} % of the {}", so_far.percent,
+                       wanted == 1 ? std::string("picture") : fmt::format("{} frames", wanted));
+    if (std::optional<double> left = left_->seconds_left(now))
+      text += fmt::format(", about {} left", clock_text(*left));
+    if (left_->reads()) text += ", reading the scene";
+  } else {
+    const char* what = to_resolve_ > 0   ? "resolving frames"
+                       : manifest_.still ? "writing the picture"
+                                         : "encoding the film";
+    text = fmt::format("still {} ({:.0f} s)", what, now - waits_since_);
+  }
+  so_far.words = text;
+  events_.rendered(so_far);
 }
 
 void RenderRun::said(std::string line) {

@@ -51,6 +51,8 @@ class RenderRun {
   int all_frames() const;
   std::vector<std::string> pictures_of(int step) const;
 
+  /// Says what comes when all frames are traced.
+  void begin_last();
   void done(std::string_view what);
   void said(std::string line);
   void idle();
@@ -66,7 +68,8 @@ class RenderRun {
   std::optional<TracedView> watched_;
   std::vector<std::string> failed_;
   bool gave_up_ = false, interrupted_ = false, disk_full_ = false;
-  int faults_ = 0;
+  int faults_ = 0, to_resolve_ = 0;  // blocks of frames, of the latter
+  double waits_since_ = 0;           // seconds
   Errors errors_;
 };
 

@@ -65,7 +65,10 @@ void Ninja::follow(int pipe, End& end, const NinjaEvents& events) {
       end.stopped = true;
       return;
     }
-    if (ready == 0) events.idle();
+    if (ready == 0) {
+      tell_pending(events);  // that it failed would have followed at once
+      events.idle();
+    }
     if (ready <= 0 || wait[0].revents == 0) continue;
     ssize_t got = ::read(pipe, buffer.data(), buffer.size());
     if (got < 0 && errno == EINTR) continue;

@@ -49,12 +49,11 @@ void BranchTubes::add_cones() {
     last = node;
   }
   if (first.empty()) return;
-  RTCGeometry cones = rtcNewGeometry(embree_device(), RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE);
-  fill_buffer<glm::vec4>(cones, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, ends);
-  fill_buffer<std::uint32_t>(cones, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT, first);
-  rtcCommitGeometry(cones);
-  rtcAttachGeometryByID(scene_.get(), cones, 0);
-  rtcReleaseGeometry(cones);
+  GeometryPointer cones(rtcNewGeometry(embree_device(), RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE));
+  fill_buffer<glm::vec4>(cones.get(), RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, ends);
+  fill_buffer<std::uint32_t>(cones.get(), RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT, first);
+  rtcCommitGeometry(cones.get());
+  rtcAttachGeometryByID(scene_.get(), cones.get(), 0);
 }
 
 glm::vec4 BranchTubes::on_axis(std::uint32_t node, float along) const {

@@ -61,13 +61,13 @@ PlacedScene::PlacedScene(std::vector<Placed> placed) : things(std::move(placed))
   scene.reset(rtcNewScene(embree_device()));
   rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
   for (std::size_t i = 0; i < things.size(); ++i) {
-    RTCGeometry instance = rtcNewGeometry(embree_device(), RTC_GEOMETRY_TYPE_INSTANCE);
-    rtcSetGeometryInstancedScene(instance, things[i].scene());
+    GeometryPointer instance(rtcNewGeometry(embree_device(), RTC_GEOMETRY_TYPE_INSTANCE));
+    check_embree();
+    rtcSetGeometryInstancedScene(instance.get(), things[i].scene());
     glm::mat4x3 transform(things[i].axes[0], things[i].axes[1], things[i].axes[2], things[i].at);
-    rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, &transform[0][0]);
-    rtcCommitGeometry(instance);
-    rtcAttachGeometryByID(scene.get(), instance, static_cast<unsigned>(i));
-    rtcReleaseGeometry(instance);
+    rtcSetGeometryTransform(instance.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, &transform[0][0]);
+    rtcCommitGeometry(instance.get());
+    rtcAttachGeometryByID(scene.get(), instance.get(), static_cast<unsigned>(i));
   }
   commit_scene(scene.get());
 }
