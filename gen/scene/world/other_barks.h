@@ -1,0 +1,14 @@
+#pragma once
+
+#include <span>
+
+#include "dress/dress.h"
+#include "pruning/edits.h"
+
+namespace frond {
+
+/// Adds to the look of a plant the barks that edits give to single branches, in the order of the edits, as
+/// color_barks() counts them.
+void add_other_barks(BranchLook& look, std::span<const Edit> edits);
+
+}  // namespace frond
