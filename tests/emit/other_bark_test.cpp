@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "core/bounds.h"
+#include "draw/draw_list.h"
 #include "emit/texts.h"
 #include "scene/scene.h"
 
@@ -55,7 +59,32 @@ TEST(OtherBark, IsAPictureOfItsOwnOnATreeThatWearsOne) {
   EXPECT_GT(count(metal, "sphere_sweep"), 0u);
   EXPECT_GT(count(metal, "texture{Skin[1]}"), 0u);
   // What does not wear the picture is not in its mesh.
-  EXPECT_LT(metal.size(), plain.size());
+  auto corners = [](const std::string& text) {
+    const std::string begin = "vertex_vectors{";
+    const std::size_t at = text.find(begin);
+    return at == text.npos ? 0 : std::stoi(text.substr(at + begin.size()));
+  };
+  EXPECT_LT(corners(metal), corners(plain));
+  EXPECT_GT(corners(metal), corners(plain) / 2);
+}
+
+TEST(OtherBark, BeginsWhereItIsToOnAStraightStemWhoseRingsDoNotShow) {
+  const std::string text =
+      R"({"film": {"frames": 1}, "scene": {"setting": "studio"}, "organisms": [{"place": {"at": [[0, 0]],
+  "size_variation": 0, "lean": 0}, )" +
+      kAspen + R"(, "edits": [{"at": ":0.7", "bark": {"pattern": "banded"}}]}]})";
+  const Scene scene = *build_scene(*read_preset(text, "bark.json", {}));
+  const DrawList drawn(scene.specimens[0], 0);
+  const auto coats = drawn.branches->coat_surfaces(Vec3(0, 1, 9), 0.02);
+  ASSERT_EQ(coats.size(), 2u);
+  auto lowest = [](const Surface& s) {
+    float low = 1e9f;
+    for (const Vec3& p : s.position) low = std::min(low, p.y);
+    return low;
+  };
+  const Bounds box = bounds_of(drawn.model);
+  EXPECT_GT(lowest(coats[1].second), box.low.y + 0.5f * box.size().y);
+  EXPECT_LT(lowest(coats[0].second), box.low.y + 0.2f * box.size().y);
 }
 
 }  // namespace

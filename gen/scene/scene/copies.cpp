@@ -366,7 +366,7 @@ std::vector<CopyPart> copy_parts(const Look& look, const Model& model, const Cop
     if (coat) shape.wrap = coat->wrap, shape.aspect = coat->aspect;
     shape.side = std::max(coat ? coat->facet : 0.02, 4 * detail.grain);
     std::vector<std::int32_t> kept;
-    const float tolerance = look.branches.others.empty() ? 0.5f * fine : -1;  // barks change at any node
+    const float tolerance = bark_changes_within(look.branches, model) ? -1 : 0.5f * fine;
     Skeleton bones = thinned(model.skeleton, 0.4f * fine, tolerance, &kept);
     if (look.branches.coral()) {
       add(CopyPart::Kind::wood, 0, 0, skin_tubes(std::move(bones), fine, look.branches.young_length()));

@@ -41,6 +41,16 @@ BarkCoat changed(const BarkCoat& plant, const BarkChange& change) {
 
 }  // namespace
 
+bool bark_changes_within(const BranchLook& look, const Model& model) {
+  if (look.others.empty() || model.color.empty()) return false;
+  const std::vector<std::int32_t>& parent = model.skeleton.parent;
+  for (std::size_t i = 1; i < parent.size(); ++i)
+    if (parent[i] == static_cast<std::int32_t>(i) - 1 && parent[i - 1] != Skeleton::kRoot &&
+        look.color_at(model, parent[i]) != look.color_at(model, static_cast<std::int32_t>(i)))
+      return true;
+  return false;
+}
+
 void add_other_barks(BranchLook& look, std::span<const Edit> edits) {
   if (!look.bark) return;
   for (const Edit& edit : edits) {

@@ -9,6 +9,7 @@
 #include "core/lru_cache.h"
 #include "field/cubes.h"
 #include "geometry/relief.h"
+#include "world/other_barks.h"
 
 namespace frond {
 
@@ -118,8 +119,7 @@ TubeShape DrawnBranches::tube_shape(double pixel) const {
 
 std::vector<std::pair<const BarkCoat*, Surface>> DrawnBranches::coat_surfaces(Vec3 eye, double pixel) const {
   TubeShape shape = tube_shape(pixel);
-  // A ring that is left out might be where the bark changes.
-  if (!look().others.empty()) shape.grain = 0;
+  if (bark_changes_within(look(), model)) shape.grain = 0;
   std::vector<Surface> woods =
       by_bark(look(), model, tube_mesh(rest(), pose.position, pose.radius, pose.turn, shape));
   std::vector<std::pair<const BarkCoat*, Surface>> coats;
