@@ -163,6 +163,33 @@ TEST(Edits, ABareBranchKeepsItsWoodAndNothingElse) {
   EXPECT_EQ(m.check(), "");
 }
 
+TEST(Edits, AnotherBarkIsAColourOfItsOwnBeyondThePlace) {
+  const Edit low{.at = *parse_address("1"), .bark = BarkChange{}},
+      twig{.at = *parse_address("1/1"), .bark = BarkChange{}};
+  Model m = tiny_model();
+  color_barks(m, std::vector<Edit>{cut_at("2")}, 3);
+  EXPECT_TRUE(m.color.empty()) << "without such an edit nothing changes";
+  // The plant has three colours, which go round and round.
+  m.color.assign(m.skeleton.size(), 4);
+  color_barks(m, std::vector<Edit>{low, cut_at("2"), twig, {.at = *parse_address("7"), .bark = BarkChange{}}},
+              3);
+  for (std::size_t i = 0; i < m.color.size(); ++i) {
+    const auto node = static_cast<std::int32_t>(i);
+    const bool on_low = node >= kLowBranch && node < kTwig, on_twig = node >= kTwig && node < kHighBranch;
+    EXPECT_EQ(m.color[i], on_twig ? 4 : on_low ? 3 : 1) << i;
+  }
+  // From the middle of a branch on, by whole segments; what is cut off takes its colours along.
+  m = tiny_model();
+  color_barks(m, std::vector<Edit>{{.at = *parse_address("1:0.4"), .bark = BarkChange{}}}, 1);
+  EXPECT_EQ(m.color[kLowBranch], 0);
+  EXPECT_EQ(m.color[kLowBranch + 1], 1);
+  const std::size_t before = m.color.size();
+  edit_model(m, std::vector<Edit>{cut_at("1/1")});
+  EXPECT_LT(m.color.size(), before);
+  EXPECT_EQ(m.color.size(), m.skeleton.size());
+  EXPECT_EQ(m.check(), "");
+}
+
 TEST(Edits, LeaveTheAddressesOfOthers) {
   const Model before = tiny_model();
   std::vector<AxisNode> axes = axis_nodes(before);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/copies.h"
 #include "scene/scene.h"
 #include "scene/specimen_cache.h"
 #include "scene/wrong_presets.h"
@@ -157,6 +158,65 @@ TEST(SceneEdits, ABareBranchHasNoLeavesAtAnyTimeOfAFilm) {
   }
 }
 
+TEST(SceneEdits, ABranchHasItsOwnBarkAtAllTimesOfAFilm) {
+  auto film = [](std::string_view edits) {
+    std::string text = text_of(kTree, edits, R"(, "bark": {"colors": [[0.3, 0.2, 0.1], [0.4, 0.3, 0.2]]},
+        "growth": {"duration": 4})");
+    text.replace(text.find(R"("frames": 1)"), 11, R"("frames": 50, "fps": 10)");
+    return grown(text);
+  };
+  Scene plain = film("");
+  EXPECT_TRUE(plant_of(plain).look.branches.others.empty());
+  const std::string branch = thickest_branch(plant_of(plain).model);
+  Scene painted = film(R"({"at": ")" + branch + R"(", "bark": {"kind": "ink", "color": [1, 0, 0]}},
+      {"at": ")" + branch +
+                       R"(:0.5", "bend": [0, 0.1, 0]})");
+  const BranchLook& look = plant_of(painted).look.branches;
+  ASSERT_EQ(look.others.size(), 1u);
+  EXPECT_EQ(look.colors(), 3u);
+  EXPECT_EQ(look.plain(2, 1), (Color{1, 0, 0}));
+  EXPECT_EQ(look.young(2, 1, Built::branches), (Color{1, 0, 0})) << "young shoots are painted, too";
+  std::size_t shown = 0;
+  for (double time : {1.0, 2.0, 3.0, 3.5, 4.5}) {
+    auto a = developed(plant_of(plain), time), b = developed(plant_of(painted), time);
+    ASSERT_TRUE(a && b);
+    const Model &before = (*a)->model, &m = (*b)->model;
+    ASSERT_EQ(m.skeleton.size(), before.skeleton.size()) << time;
+    EXPECT_EQ(m.skeleton.radius, before.skeleton.radius) << time;
+    EXPECT_EQ(m.organs.size(), before.organs.size()) << time;
+    EXPECT_TRUE(before.color.empty());
+    // What hangs on it wears the same, and nothing else does.
+    std::vector<AxisNode> axes = axis_nodes(m);
+    Branching plant{m.skeleton.parent, axes};
+    Result<BranchPlace> foot = find_place(plant, axis_starts(plant), *parse_address(branch));
+    for (std::size_t i = 0; i < m.skeleton.size(); ++i) {
+      bool beyond = false;
+      for (auto k = static_cast<std::int32_t>(i); foot && k >= 0 && !beyond; k = m.skeleton.parent[k])
+        beyond = k == foot->node;
+      EXPECT_EQ(look.other(look.color_at(m, static_cast<std::int32_t>(i))), beyond ? 1u : 0u)
+          << time << " " << i;
+      shown += beyond;
+    }
+  }
+  EXPECT_GT(shown, 20u);
+}
+
+TEST(SceneEdits, CopiesHaveBranchesOfAnotherBark) {
+  for (std::string_view edits : {"", R"({"at": "2", "bark": {"color": "#aaaaaa"}})"}) {
+    std::string text = text_of(kKinds[2], edits, R"(, "sown": {"models": 1})");
+    text.replace(text.find(R"("studio")"), 8, R"("meadow")");
+    Result<Preset> preset = read_preset(text, "edits.json", {});
+    ASSERT_TRUE(preset) << preset.errors().front().text();
+    const Organism& organism = preset->organisms[0];
+    Result<Model> model = grow_copy(organism, 0);
+    ASSERT_TRUE(model);
+    std::size_t woods = 0;
+    for (const CopyPart& part : copy_parts(copy_dress(organism).look, *model, {}))
+      woods += part.kind == CopyPart::Kind::wood;
+    EXPECT_EQ(woods, edits.empty() ? 1u : 2u);
+  }
+}
+
 TEST(SceneEdits, TellWhatTheyDoNotFind) {
   Scene scene = grown(text_of(kKinds[4], R"({"at": "1", "cut": true}, {"at": "99", "cut": true})"));
   ASSERT_FALSE(scene.notes.empty());
@@ -181,10 +241,14 @@ const WrongPreset kWrongEdits[] = {
      R"({"organisms": [{"kind": "coral", "edits": [{"at": "3"}, {"at": "3", "cut": true, "strength": 2},
  {"at": "3", "bend": [0, 1, 0]}, {"at": "3", "cut": 24}]}]})",
      {},
-     {R"(1:44: /organisms/0/edits/0: has 0 of cut, bend, strength and bare; expected one of them)",
-      R"(1:57: /organisms/0/edits/1: has 2 of cut, bend, strength and bare; expected one of them)",
+     {R"(1:44: /organisms/0/edits/0: has 0 of cut, bend, strength, bare and bark; expected one of them)",
+      R"(1:57: /organisms/0/edits/1: has 2 of cut, bend, strength, bare and bark; expected one of them)",
       R"(2:9: /organisms/0/edits/2/at: is where the limb is held; expected a place farther along it to pull at, as "3:0.8")",
       R"(2:53: /organisms/0/edits/3/cut: names a year; expected true, or the kind tree, which grows over years)"}},
+    {"Another bark of what has none",
+     R"({"organisms": [{"kind": "coral", "edits": [{"at": "3", "bark": {"color": "red"}}]}]})",
+     {},
+     {R"(1:64: /organisms/0/edits/0/bark: is of plants; expected an edit of a kind whose branches have bark)"}},
     {"Edits of what has no branches",
      R"({"organisms": [{"kind": "rock", "edits": [{"at": "3", "cut": true}]}]})",
      {},

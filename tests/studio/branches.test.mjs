@@ -167,3 +167,36 @@ test('a branch is stripped of its leaves by a button, which gives them back', as
   assert.equal(await parts(page), first, 'the picture is the former one');
   assert.equal(await edits(), undefined);
 });
+
+test('a branch wears another bark, in any colour, and the former one again', async () => {
+  await page.getByTestId('organism:0').click();
+  await page.getByTestId('branch-address').fill('1:0');
+  await page.getByTestId('branch:find').click();
+  await told(/cross, branch 1: /);
+  const woods = () => page.evaluate(() => window.frond.view.header.parts.filter(part => part.entry === 0 && part.kind === 'tubes').length);
+  assert.equal(await woods(), 1);
+  const list = page.getByTestId('branch:bark');
+  assert.equal(await list.inputValue(), 'own');
+  let before = await parts(page);
+  await list.selectOption('painted');
+  await changed(page, before);
+  await shown(page);
+  assert.equal(await woods(), 2, 'the branch is drawn apart');
+  let {edits} = await now();
+  assert.deepEqual(edits, [{at: '1', bark: {kind: 'ink', color: '#b3362b'}}]);
+  await page.waitForFunction(() => document.querySelector('[data-testid="branch:bark-color"]').value === '#b3362b');
+  before = await parts(page);
+  await page.getByTestId('branch:bark-color').fill('#2244cc');
+  await changed(page, before);
+  await shown(page);
+  ({edits} = await now());
+  assert.deepEqual(edits, [{at: '1', bark: {kind: 'ink', color: '#2244cc'}}]);
+  assert.equal(await list.inputValue(), 'painted');
+  before = await parts(page);
+  await list.selectOption('own');
+  await changed(page, before);
+  await shown(page);
+  assert.equal(await woods(), 1);
+  ({edits} = await now());
+  assert.equal(edits, undefined);
+});

@@ -184,19 +184,26 @@ Result<std::shared_ptr<const Scenes::Built>> Scenes::build(const std::string& ke
 }
 
 void Scenes::add_tiles(const Scene& scene) {
-  auto add = [&](const auto& tiled, std::size_t bytes) {
-    std::optional<Tile> tile = tile_of(tiled);
+  auto keep = [&](const std::optional<Tile>& tile, std::size_t bytes, const auto& draw) {
     if (!tile || drawings_.find(tile->colors)) return;
-    auto drawing = std::make_shared<const Drawing>(tile_drawing(tiled, bake_));
+    auto drawing = std::make_shared<const Drawing>(draw());
     for (const std::string& name : drawing->names) drawings_.put(name, drawing, bytes);
+  };
+  auto add = [&](const auto& tiled, std::size_t bytes) {
+    keep(tile_of(tiled), bytes, [&] { return tile_drawing(tiled, bake_); });
+  };
+  auto add_barks = [&](const BranchLook& look) {
+    for (std::size_t k = 0; k <= look.others.size(); ++k)
+      keep(tile_of(look, look.color_of(k)), kDrawing,
+           [&] { return tile_drawing(look, bake_, look.color_of(k)); });
   };
   add(scene.stage, kDrawing);
   for (const Specimen& specimen : scene.specimens) {
-    if (specimen.model.skeleton.size() > 1) add(specimen.look.branches, kDrawing);
+    if (specimen.model.skeleton.size() > 1) add_barks(specimen.look.branches);
     for (const Solid& solid : specimen.model.solids.shapes)
       add(solid, kDrawing + (is_vessel(solid) ? bytes_of(solid.surface) : 0));
   }
-  for (const SownStand& stand : scene.stands) add(stand.dress.look.branches, kDrawing);
+  for (const SownStand& stand : scene.stands) add_barks(stand.dress.look.branches);
 }
 
 Result<std::shared_ptr<const Scene>> Scenes::scene(const Doc& doc, Preset preset,

@@ -102,19 +102,20 @@ std::optional<Tile> tile_of(const Solid& body) {
   return tile;
 }
 
-std::optional<Tile> tile_of(const BranchLook& branches) {
-  if (!branches.coat && !branches.patterned()) return std::nullopt;
+std::optional<Tile> tile_of(const BranchLook& branches, std::size_t color) {
+  const BarkCoat* worn = branches.coat_of(color);
+  if (!worn && !branches.patterned(color)) return std::nullopt;
   Tile tile;
-  if (branches.coat) {
-    const BarkCoat& coat = *branches.coat;
+  if (worn) {
+    const BarkCoat& coat = *worn;
     tile = named(fmt::format("{} {}", bark_color_name(coat), coat.relief));
     tile.wide = coat.wrap, tile.high = coat.wrap * coat.aspect;
   } else {
-    tile = named(swatch_scene(skin_swatch(branches, 0, kSkinPixels)));
-    std::tie(tile.wide, tile.high) = Palette::picture_size(branches);
+    tile = named(swatch_scene(skin_swatch(branches, color, kSkinPixels)));
+    std::tie(tile.wide, tile.high) = Palette::picture_size(branches, color);
   }
   tile.varied = true;
-  tile.light = 1.0f / glm::max(linear(branches.plain(0, 1)), Vec3(kDarkest));
+  tile.light = 1.0f / glm::max(linear(branches.plain(color, 1)), Vec3(kDarkest));
   return tile;
 }
 
@@ -156,10 +157,11 @@ Drawing tile_drawing(const Solid& body, const BakeOptions& options) {
   });
 }
 
-Drawing tile_drawing(const BranchLook& branches, const BakeOptions& options) {
-  return drawing_of(*tile_of(branches), [branches, options] {
-    return branches.coat ? coat_pictures(*branches.coat, std::min(kSkinPixels, branches.coat->pixels))
-                         : bake(skin_swatch(branches, 0, kSkinPixels), skin_roughness(branches), options);
+Drawing tile_drawing(const BranchLook& branches, const BakeOptions& options, std::size_t color) {
+  return drawing_of(*tile_of(branches, color), [branches, color, options] {
+    const BarkCoat* coat = branches.coat_of(color);
+    return coat ? coat_pictures(*coat, std::min(kSkinPixels, coat->pixels))
+                : bake(skin_swatch(branches, color, kSkinPixels), skin_roughness(branches), options);
   });
 }
 

@@ -23,8 +23,8 @@ struct Tile {
 std::optional<Tile> tile_of(const Material& material);
 /// The same of any body.
 std::optional<Tile> tile_of(const Solid& body);
-/// Of branches that have a pattern. It varies their plain colours, whatever these are.
-std::optional<Tile> tile_of(const BranchLook& branches);
+/// Of branches of one colour, where that has a pattern. It varies their plain colours, whatever these are.
+std::optional<Tile> tile_of(const BranchLook& branches, std::size_t color = 0);
 
 /// Of a setting's floor that nothing covers; it repeats. None of any other.
 std::optional<Tile> tile_of(const Stage& stage);
@@ -36,7 +36,7 @@ std::optional<Drawing> sky_drawing(const Scene& scene, const BakeOptions& option
 Drawing tile_drawing(const Stage& stage, const BakeOptions& options);
 Drawing tile_drawing(const Material& material, const BakeOptions& options);
 Drawing tile_drawing(const Solid& body, const BakeOptions& options);
-Drawing tile_drawing(const BranchLook& branches, const BakeOptions& options);
+Drawing tile_drawing(const BranchLook& branches, const BakeOptions& options, std::size_t color = 0);
 
 /// As the page reads it.
 Json json_of(const Tile& tile);

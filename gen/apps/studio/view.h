@@ -48,7 +48,8 @@ Result<std::vector<DrawnPart>> specimen_parts(const Specimen& specimen, double t
 
 /// Branches as segments of 48 bytes each: both ends with radii, directions and colours, and how a picture
 /// lies on them.
-DrawnPart tubes_part(const DrawnBranches& branches);
+/// Those of the plant's own bark, then those of each other bark that is worn.
+std::vector<DrawnPart> tubes_parts(const DrawnBranches& branches);
 
 /// A mesh that is placed at `places`, ten numbers each, with coarser ones for where it is small: those of
 /// leaves keep what each piece covers. "coarse" lists them with the "size" in metres of what they lose.

@@ -25,15 +25,16 @@ std::vector<std::uint8_t> leaf_colors(const Surface& leaves, const std::vector<C
   return painted;
 }
 
-/// With a picture of the bark where it is `near`, as its mesh says or from three sides.
-void add_wood(DrawnPart& part, const std::string& below, const Look& look, const Surface& surface,
-              bool near) {
+/// Of one of the barks; with a picture of it where it is `near`, as its mesh says or from three sides.
+void add_wood(DrawnPart& part, const std::string& below, const Look& look, std::size_t which,
+              const Surface& surface, bool near) {
   Surface plain = surface;
   Json& material = part.head[Json::json_pointer(below + "/material")];
-  material = material_json({.color = look.branches.plain(0, 1), .gloss = look.branches.gloss()});
-  std::optional<Tile> tile = near ? tile_of(look.branches) : std::nullopt;
+  const std::size_t color = look.branches.color_of(which);
+  material = material_json({.color = look.branches.plain(color, 1), .gloss = look.branches.gloss(color)});
+  std::optional<Tile> tile = near ? tile_of(look.branches, color) : std::nullopt;
   if (tile) {
-    tile->unrolled = look.branches.coat.has_value();
+    tile->unrolled = look.branches.coat_of(color) != nullptr;
     material["tile"] = json_of(*tile);
   }
   if (!tile || !tile->unrolled) plain.uv.clear();
@@ -68,7 +69,7 @@ DrawnPart model_part(const Look& look, const Model& model) {
       std::string below = "/levels/" + std::to_string(level) + "/parts/" + std::to_string(number++);
       part.head[Json::json_pointer(below)] = Json::object();
       if (shape.kind == CopyPart::Kind::wood) {
-        add_wood(part, below, look, shape.surface, level < kNear);
+        add_wood(part, below, look, shape.which, shape.surface, level < kNear);
       } else if (shape.kind == CopyPart::Kind::solid) {
         part.head[Json::json_pointer(below + "/material")] =
             material_json(plain_look(model.solids.shapes[shape.which].material));

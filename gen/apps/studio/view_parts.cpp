@@ -178,10 +178,13 @@ Result<std::vector<DrawnPart>> specimen_parts(const Specimen& specimen, double t
   DrawList drawn(specimen, time);
   std::vector<DrawnPart> parts;
   if (drawn.branches && drawn.branches->rest().size() > 1) {
-    Result<DrawnPart> wood =
-        drawn.branches->form() == BranchForm::body ? body_part(*drawn.branches) : tubes_part(*drawn.branches);
-    if (!wood) return wood.errors();
-    parts.push_back(std::move(*wood));
+    if (drawn.branches->form() == BranchForm::body) {
+      Result<DrawnPart> body = body_part(*drawn.branches);
+      if (!body) return body.errors();
+      parts.push_back(std::move(*body));
+    } else {
+      parts = tubes_parts(*drawn.branches);
+    }
   }
   add_organs(drawn, parts);
   add_blades(drawn, parts);

@@ -115,9 +115,11 @@ std::vector<WireSegment> largest_first(const std::vector<WireSegment>& segments,
 /// Builds the segments of one skeleton.
 class Weaver {
  public:
-  /// Pictures on them repeat after so many metres.
-  Weaver(const DrawnBranches& branches, double high)
-      : rest_(branches.rest()),
+  /// Of one of its barks; pictures on them repeat after so many metres.
+  Weaver(const DrawnBranches& branches, double high, std::size_t bark)
+      : branches_(branches),
+        bark_(bark),
+        rest_(branches.rest()),
         pose_(branches.pose),
         colors_(branches),
         longest_(rest_.longest()),
@@ -132,12 +134,17 @@ class Weaver {
     auto n = static_cast<std::int32_t>(rest_.size());
     for (std::int32_t i = 0; i < n; ++i) {
       if (rest_.parent[i] == Skeleton::kRoot || rest_.birth[rest_.parent[i]] >= pose_.front) continue;
-      add(i, i + 1 < n && rest_.parent[i + 1] == i && rest_.birth[i] < pose_.front);
+      add(i, i + 1 < n && rest_.parent[i + 1] == i && rest_.birth[i] < pose_.front && worn_at(i + 1));
     }
     return largest_first(segments_, axes_);
   }
 
  private:
+  bool worn_at(std::int32_t i) const {
+    const BranchLook& look = branches_.look();
+    return look.others.empty() || look.other(look.color_at(branches_.model, i)) == bark_;
+  }
+
   void add(std::int32_t i, bool goes_on) {
     std::int32_t below = rest_.parent[i];
     WireSegment s;
@@ -146,7 +153,7 @@ class Weaver {
     float length = glm::distance(s.from, s.to);
     along_[i] = along_[below] + length;
     axis_of_[i] = axis_of_[below];
-    if (!(length > 1e-7f)) return;
+    if (!(length > 1e-7f) || !worn_at(i)) return;
     Vec3 heading = (s.to - s.from) / length, from_heading = heading;
     if (below == i - 1 && !segments_.empty() && last_ == below) {
       from_heading = last_heading_;
@@ -213,6 +220,8 @@ class Weaver {
     axis_ = carried(axis_, unpacked(s.from_heading), unpacked(s.to_heading));
   }
 
+  const DrawnBranches& branches_;
+  std::size_t bark_;
   const Skeleton& rest_;
   const Pose& pose_;
   BranchColors colors_;
@@ -227,16 +236,21 @@ class Weaver {
 
 }  // namespace
 
-DrawnPart tubes_part(const DrawnBranches& branches) {
-  DrawnPart part;
-  part.head["kind"] = "tubes";
-  part.head["gloss"] = branches.look().gloss();
-  std::optional<Tile> tile = tile_of(branches.look());
-  if (tile) part.head["tile"] = json_of(*tile);
-  std::vector<WireSegment> segments = Weaver(branches, tile ? tile->high : 1).weave();
-  part.add("/segments", std::span(reinterpret_cast<const std::uint8_t*>(segments.data()),
-                                  sizeof(WireSegment) * segments.size()));
-  return part;
+std::vector<DrawnPart> tubes_parts(const DrawnBranches& branches) {
+  std::vector<DrawnPart> parts;
+  const BranchLook& look = branches.look();
+  for (std::size_t k = 0; k <= look.others.size(); ++k) {
+    std::optional<Tile> tile = tile_of(look, look.color_of(k));
+    std::vector<WireSegment> segments = Weaver(branches, tile ? tile->high : 1, k).weave();
+    if (k > 0 && segments.empty()) continue;
+    DrawnPart& part = parts.emplace_back();
+    part.head["kind"] = "tubes";
+    part.head["gloss"] = look.gloss(look.color_of(k));
+    if (tile) part.head["tile"] = json_of(*tile);
+    part.add("/segments", std::span(reinterpret_cast<const std::uint8_t*>(segments.data()),
+                                    sizeof(WireSegment) * segments.size()));
+  }
+  return parts;
 }
 
 }  // namespace frond

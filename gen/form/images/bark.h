@@ -5,15 +5,9 @@
 #include "core/seed.h"
 #include "core/vec.h"
 #include "images/raster.h"
+#include "model/bark.h"
 
 namespace frond {
-
-enum class BarkPattern {
-  furrowed,  ///< long ridges with half-round backs that run into each other, as on oaks
-  plated,    ///< plates between cracks, as on pines
-  smooth,    ///< a skin with folds and short scars across, as on beeches and aspens
-  banded     ///< papery, with dark bands across, as on birches
-};
 
 /// The picture of a bark. It tiles in both directions: round the branch and along it.
 struct BarkImage {

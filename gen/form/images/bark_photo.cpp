@@ -139,6 +139,13 @@ Result<Raster> read_bark_photo(std::string_view bytes) {
   return raster_of(light);
 }
 
+Raster tinted_tile(const Raster& tile, Color mean) {
+  Light light = light_of(tile);
+  Vec3 factor = linear(mean) / glm::max(Vec3(mean_of(light)), Vec3(1e-4f));
+  for (Vec3& v : light.data) v *= factor;
+  return raster_of(light);
+}
+
 Raster resized_tile(const Raster& tile, int width, int height) {
   if (tile.width == width && tile.height == height) return tile;
   return raster_of(transposed(resized_rows(transposed(resized_rows(light_of(tile), width)), height)));

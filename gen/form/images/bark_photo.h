@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "core/result.h"
+#include "core/vec.h"
 #include "images/raster.h"
 
 namespace frond {
@@ -14,6 +15,9 @@ Result<Raster> read_bark_photo(std::string_view bytes);
 
 /// A tiling picture in another size.
 Raster resized_tile(const Raster& tile, int width, int height);
+
+/// A tile with another mean colour: each channel as much brighter or darker everywhere.
+Raster tinted_tile(const Raster& tile, Color mean);
 
 /// Heights, 0 deep .. 1 high, that its brightness suggests: furrows are dark.
 Grid tile_heights(const Raster& tile);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/result.h"
+#include "model/bark.h"
 #include "pruning/address.h"
 
 // Edits of branches by hand
@@ -16,7 +17,7 @@
 
 namespace frond {
 
-/// What is done to one place: one of `cut`, `bend`, `strength` and `bare` is given.
+/// What is done to one place: one of `cut`, `bend`, `strength`, `bare` and `bark` is given.
 struct Edit {
   Address at;
   std::optional<std::size_t> plant =
@@ -25,6 +26,7 @@ struct Edit {
   std::optional<Vec3> bend = {};        ///< metres in the plant's own frame, by which the place is pulled
   std::optional<double> strength = {};  ///< factor of length and thickness of all that is beyond the place
   bool bare = false;                    ///< what is beyond the place bears no leaves, flowers or fruit
+  std::optional<BarkChange> bark = {};  ///< what is beyond the place wears in place of the plant's bark
   std::size_t number = 0;               ///< its place in the list, for messages
 
   /// Whether it takes effect while the plant grows.
@@ -70,6 +72,11 @@ std::vector<float> edit_model(Model& model, std::span<const Edit> edits, std::sp
 /// Takes the organs and blades off what edits leave bare; the faces of what was sawn off stay. Addresses that
 /// find no branch are passed over. edit_model() does it, too.
 void strip_model(Model& model, std::span<const Edit> edits);
+
+/// Gives what wears another bark a colour index of its own: that of the first such edit is `colors`, how many
+/// the plant's own bark has, then they go on. Addresses that find no branch are passed over. It is done
+/// before edit_model(), which leaves colours as they are.
+void color_barks(Model& model, std::span<const Edit> edits, std::size_t colors);
 
 /// Adds the wound of a cut to the end of a branch that is thick enough; `open`: the share of it, 0..1, over
 /// which no new bark has grown.

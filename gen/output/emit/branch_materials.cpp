@@ -71,16 +71,18 @@ void append_skin(std::string& text, const PovSpace& space, const DrawnBranches& 
   }
 }
 
-/// The calls that declare the skins of a plant, one for each colour of its bark, from `first` on.
-void append_bark(std::string& text, const Bark& bark, double brightness, std::size_t first,
+/// The calls that declare the skins of a plant, one for each colour of its bark and for each other bark, from
+/// `first` on.
+void append_bark(std::string& text, const BranchLook& look, double brightness, std::size_t first,
                  std::string_view name) {
-  for (std::size_t i = 0; i < bark.colors.size(); ++i) {
+  for (std::size_t i = 0; i < look.colors(); ++i) {
+    const Bark& bark = *look.bark_of(i);
     text += "Plant_Bark(";
     append_index(text, first + i);
     text += ',';
     append_integer(text, static_cast<int>(bark.kind));
     text += ',';
-    append_color(text, bark.colors[i]);
+    append_color(text, bark.colors[look.other(i) ? 0 : i]);
     text += ',';
     append_color(text, bark.second);
     text += ',';
@@ -122,7 +124,7 @@ void append_bleaching(std::string& text) {
 
 void append_skin_declarations(std::string& text, const BranchLook& look, double brightness, std::size_t first,
                               bool starving, std::string_view name) {
-  if (look.bark) return append_bark(text, *look.bark, brightness, first, name);
+  if (look.bark) return append_bark(text, look, brightness, first, name);
   if (!look.skin) return;
   const Skin& skin = *look.skin;
   auto bright = static_cast<float>(brightness);
@@ -158,7 +160,9 @@ void append_chunk_texture(std::string& text, const PovSpace& space, const DrawnB
                           Chunk chunk, std::size_t index) {
   text += "texture{";
   append_skin(text, space, branches, chunk, index);
-  if (branches.look().ringed() || branches.slanted(chunk)) lay_along(branches.rest(), chunk);
+  if (branches.look().ringed(branches.look().color_at(branches.model, chunk.first)) ||
+      branches.slanted(chunk))
+    lay_along(branches.rest(), chunk);
   // Where a branch is too thin for one there is no pattern to be seen.
   if (chunk.moved() && branches.look().patterned())
     static_cast<void>(append_matrix(text, space, chunk.matrix, chunk.shift));
@@ -184,9 +188,10 @@ std::string SharedTextures::text(std::size_t number, std::size_t index) const {
                      number_text(static_cast<double>(number % kAges) / (kAges - 1)));
 }
 
-ObjectText coat_text(const PovSpace& space, const DrawnBranches& branches, Vec3 eye, double pixel) {
-  const BarkCoat& coat = *branches.look().coat;
-  Surface wood = branches.coat_surface(eye, pixel);
+namespace {
+
+ObjectText coat_text(const PovSpace& space, const DrawnBranches& branches, const BarkCoat& coat,
+                     const Surface& wood, double pixel) {
   if (!has_faces(wood)) return {};
   std::string text = "object{\n";
   append_mesh(text, space, wood, {.decimals = decimals_for(space, pixel)});
@@ -202,6 +207,15 @@ ObjectText coat_text(const PovSpace& space, const DrawnBranches& branches, Vec3 
   return {text + "}\n", 1};
 }
 
+}  // namespace
+
+ObjectText coat_text(const PovSpace& space, const DrawnBranches& branches, Vec3 eye, double pixel) {
+  ObjectText text;
+  for (const auto& [coat, wood] : branches.coat_surfaces(eye, pixel))
+    text += coat_text(space, branches, *coat, wood, pixel);
+  return text;
+}
+
 std::string cube_texture(const BranchLook& look, std::size_t color, double brightness, double side, int age,
                          int shade) {
   std::string text = "texture{Voxel_Skin(";
@@ -213,13 +227,13 @@ std::string cube_texture(const BranchLook& look, std::size_t color, double brigh
   return text + ")}";
 }
 
-std::string copy_texture(const BranchLook& look) {
+std::string copy_texture(const BranchLook& look, std::size_t color) {
   std::string text;
-  if (look.coat) {
-    text = fmt::format("Copy_Bark(\"{}\",\"{}\",", bark_color_name(*look.coat), bark_height_name(*look.coat));
-    append(text, look.coat->relief, 4);
+  if (const BarkCoat* coat = look.coat_of(color)) {
+    text = fmt::format("Copy_Bark(\"{}\",\"{}\",", bark_color_name(*coat), bark_height_name(*coat));
+    append(text, coat->relief, 4);
     text += ',';
-    append_color(text, look.coat->tone);
+    append_color(text, coat->tone);
     return text + ",T)";
   }
   if (look.skin) {
@@ -231,7 +245,8 @@ std::string copy_texture(const BranchLook& look) {
   }
   Bark plain;
   plain.kind = BarkKind::stem;
-  const Bark& b = look.bark ? *look.bark : plain;
+  const Bark* worn = look.bark_of(color);
+  const Bark& b = worn ? *worn : plain;
   text = fmt::format("Copy_Wood({},", static_cast<int>(b.kind));
   append_color(text, b.colors[0]);
   text += ',';
@@ -241,7 +256,7 @@ std::string copy_texture(const BranchLook& look) {
   return text + ",T)";
 }
 
-bool is_pictured(const BranchLook& look) { return look.coat || look.coral(); }
+bool is_pictured(const BranchLook& look, std::size_t color) { return look.coat_of(color) || look.coral(); }
 
 std::string_view copy_include(const BranchLook& look) { return look.coral() ? "coral" : ""; }
 

@@ -13,8 +13,8 @@
 
 namespace frond {
 
-/// Declares the skins of a look from `first` on, one for each colour; `starving`: also what becomes of one in
-/// the shade. The arrays Skin and Skin_Pigment must have room for them.
+/// Declares the skins of a look from `first` on, one for each colour, other barks included; `starving`: also
+/// what becomes of one in the shade. The arrays Skin and Skin_Pigment must have room for them.
 void append_skin_declarations(std::string& text, const BranchLook& look, double brightness, std::size_t first,
                               bool starving, std::string_view name);
 /// Declares the skin of each organism, at all its ages; `first` has the number of each one's first.
@@ -42,8 +42,8 @@ struct SharedTextures {
   std::string text(std::size_t number, std::size_t index) const;
 };
 
-/// The branches of a tree that wears a bark as a picture: one mesh with its texture; empty while none of it
-/// has grown. Where the eye is near, its furrows are let in.
+/// The branches of a tree that wears a bark as a picture: one mesh with its texture for each picture; empty
+/// while none of it has grown. Where the eye is near, furrows are let in.
 ObjectText coat_text(const PovSpace& space, const DrawnBranches& branches, Vec3 eye, double pixel);
 
 /// Declares `Bleaching`, by which macros know what becomes of living skin in the shade.
@@ -54,10 +54,10 @@ inline constexpr int kCubeAges = 4, kCubeShades = 4;
 std::string cube_texture(const BranchLook& look, std::size_t color, double brightness, double side, int age,
                          int shade);
 
-/// What stands in the texture of a copy's branches, for a tint T.
-std::string copy_texture(const BranchLook& look);
+/// What stands in the texture of a copy's branches of one colour, for a tint T.
+std::string copy_texture(const BranchLook& look, std::size_t color);
 /// Whether that needs places on the mesh.
-bool is_pictured(const BranchLook& look);
+bool is_pictured(const BranchLook& look, std::size_t color);
 
 /// The povinc file that branches need, as `coral`; empty: none. For copies, besides that of all copies.
 std::string_view include_of(const BranchLook& look);

@@ -82,7 +82,7 @@ std::string look_of(const CopyPart& part, const Look& look, const Model& model, 
   for (std::size_t i : worn_colors(part.surface, all.size())) colors.push_back(all[i]);
   switch (part.kind) {
     case CopyPart::Kind::wood:
-      return "texture{" + copy_texture(look.branches) + "}";
+      return "texture{" + copy_texture(look.branches, look.branches.color_of(part.which)) + "}";
     case CopyPart::Kind::blade:
       return leaf_look(colors, look.blades.second, look.blades.tissue, false, {});
     case CopyPart::Kind::organ: {
@@ -111,7 +111,7 @@ MeshText mesh_text(const CopyPart& part, const Look& look, const Model& model, i
   how.decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(finest))), 1, 4);
   how.flat = kLevels[level].grain > 0.005 ? 0.7f : 0.9999f;
   bool pictured =
-      part.kind == CopyPart::Kind::wood ? is_pictured(look.branches)
+      part.kind == CopyPart::Kind::wood ? is_pictured(look.branches, look.branches.color_of(part.which))
       : part.kind == CopyPart::Kind::organ
           ? !kLevels[level].plain || !model.prototypes[part.which].parts[part.part].pictures.empty()
           : true;

@@ -142,19 +142,35 @@ void write_chunks(const DrawnBranches& b, const ChunkOptions& options, std::size
   }
 }
 
-/// The sweeps of twigs: one union with one texture. Gives how many unions there are.
+/// The sweeps of twigs: one union with one texture, and one for each other bark. Gives how many unions there
+/// are.
 template <class IsTwig>
 std::size_t write_twigs(const PovSpace& space, const DrawnBranches& b, const ChunkOptions& options,
                         std::size_t index, const Fineness& fine, const IsTwig& is_twig, const Out& out) {
   Group group(out);
+  const BranchLook& look = b.look();
+  std::vector<std::string> others(look.others.size());
   auto append = [&](std::vector<std::string>& texts, const Chunk& chunk) {
-    if (is_twig(chunk.first) &&
-        append_sweep(texts[0], space, b.rest(), b.pose, chunk, fine.within(), fine.decimals))
-      texts[0] += "}\n";
+    if (!is_twig(chunk.first)) return;
+    std::string& text = texts[others.empty() ? 0 : look.other(look.color_at(b.model, chunk.first))];
+    if (append_sweep(text, space, b.rest(), b.pose, chunk, fine.within(), fine.decimals)) text += "}\n";
   };
-  write_chunks(b, options, 1, append, [&](std::size_t, const std::string& text) { group.add(text); });
-  return group.close(fmt::format("{}{}}}\n", skin_texture(index),
-                                 weather_over(b.traits.snowy, b.traits.wet, Wetting::wood)));
+  write_chunks(b, options, 1 + others.size(), append, [&](std::size_t which, const std::string& text) {
+    if (which == 0)
+      group.add(text);
+    else
+      others[which - 1] += text;
+  });
+  std::string weather = weather_over(b.traits.snowy, b.traits.wet, Wetting::wood);
+  std::size_t groups = group.close(fmt::format("{}{}}}\n", skin_texture(index), weather));
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    if (others[k].empty()) continue;
+    out(group_opening(others[k]));
+    out(others[k]);
+    out(fmt::format("{}{}}}\n", skin_texture(index + look.color_of(k + 1)), weather));
+    ++groups;
+  }
+  return groups;
 }
 
 /// The same of all other chunks: those that show no pattern share textures.
@@ -204,7 +220,7 @@ Result<std::size_t> write_wood(const PovSpace& space, const DrawnBranches& b, st
   if (form == BranchForm::coat) {
     ObjectText coat = coat_text(space, b, eye, fine.pixel);
     out(coat.text);
-    if (b.look().tube_shape().least <= 0) return coat.objects;
+    if (b.look().tube_shape().least <= 0 && b.look().others.empty()) return coat.objects;
     options.tolerance = std::numeric_limits<float>::infinity();
     std::vector<bool> bare = b.coatless(fine.pixel);
     auto is_twig = [&](std::int32_t i) { return static_cast<bool>(bare[static_cast<std::size_t>(i)]); };

@@ -215,25 +215,35 @@ class Brancher {
   TubeMesh wrapped(const Skeleton& rest, const std::vector<Vec3>& position, const std::vector<float>& radius,
                    float front, int sides) {
     TubeMesh mesh = closed_tubes(rest, position, radius, front, sides);
-    auto [wide, high] = Palette::picture_size(b_.look());
+    std::vector<std::pair<double, double>> sizes;
+    for (std::size_t k = 0; k < b_.look().colors(); ++k) sizes.push_back(Palette::picture_size(b_.look(), k));
+    // A skeleton that was thinned does not know its colours; there pictures are as large as the plant's own.
+    bool known = !b_.look().others.empty() && &rest == &b_.rest();
+    auto size_at = [&](std::int32_t node) { return sizes[known ? b_.look().color_at(b_.model, node) : 0]; };
     std::vector<float> wraps(rest.size(), 1);
     for (std::size_t i = 1; i < rest.size(); ++i) {
       bool goes_on =
           rest.parent[i] == static_cast<std::int32_t>(i) - 1 && rest.parent[i - 1] != Skeleton::kRoot;
-      wraps[i] = goes_on ? wraps[i - 1]
-                         : static_cast<float>(std::max(
-                               1.0, std::round(2 * kPi * static_cast<double>(rest.radius[i]) / wide)));
+      wraps[i] =
+          goes_on
+              ? wraps[i - 1]
+              : static_cast<float>(std::max(1.0, std::round(2 * kPi * static_cast<double>(rest.radius[i]) /
+                                                            size_at(static_cast<std::int32_t>(i)).first)));
     }
     for (std::size_t v = 0; v < mesh.node.size(); ++v) {
       Vec2& at = mesh.surface.uv[v];
-      at = {at.x * wraps[static_cast<std::size_t>(mesh.node[v])], at.y / static_cast<float>(high)};
+      at = {at.x * wraps[static_cast<std::size_t>(mesh.node[v])],
+            at.y / static_cast<float>(size_at(mesh.node[v]).second)};
     }
     return mesh;
   }
 
-  /// Branches of several colours are parted by the colour of each triangle's first vertex.
+  /// Branches of several colours are parted by the colour of each triangle's first vertex; where edits gave
+  /// some another bark, by the farthest, so that a segment of a tube is of one bark.
   std::vector<BranchPart> by_color(Surface&& surface, std::vector<std::int32_t>& node) {
-    std::size_t colors = b_.form() == BranchForm::coat ? 1 : b_.look().colors();
+    const BranchLook& look = b_.look();
+    bool others = !look.others.empty();
+    std::size_t colors = b_.form() == BranchForm::coat && !others ? 1 : look.colors();
     std::vector<BranchPart> parts(colors);
     if (b_.model.color.empty() || colors == 1) {
       parts[0] = {{std::move(surface)}, std::move(node)};
@@ -242,7 +252,8 @@ class Brancher {
     std::vector<std::vector<std::uint32_t>> index(
         colors, std::vector<std::uint32_t>(surface.position.size(), UINT32_MAX));
     for (const auto& t : surface.triangle) {
-      std::size_t k = color_index(b_.model.color[static_cast<std::size_t>(node[t[0]])], colors);
+      std::int32_t of = others ? std::max({node[t[0]], node[t[1]], node[t[2]]}) : node[t[0]];
+      std::size_t k = look.color_at(b_.model, of);
       std::array<std::uint32_t, 3> corners{};
       for (std::size_t c = 0; c < 3; ++c) {
         std::uint32_t& at = index[k][t[c]];

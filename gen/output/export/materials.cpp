@@ -84,7 +84,7 @@ Swatch skin_swatch(const BranchLook& look, std::size_t color, int pixels) {
       fmt::format("#declare Skin=array[{0}];\n#declare Skin_Pigment=array[{0}][2];\n", look.colors());
   append_skin_declarations(swatch.before, look, 1, 0, false, "");
   swatch.texture = skin_texture(color);
-  auto [wide, high] = Palette::picture_size(look);
+  auto [wide, high] = Palette::picture_size(look, color);
   swatch.wide = wide;
   swatch.corner.z = static_cast<float>(0.137 * wide);  // off the planes where noise is even
   swatch.pixels = {pixels, static_cast<int>(std::lround(pixels * high / wide))};
@@ -174,34 +174,34 @@ Palette::Use Palette::branches(const Look& look, double brightness, std::size_t 
        most = glm::max(young, Vec3(1));
   ExportMaterial made;
   made.factor = scaled({1, 1, 1}, brightness);
-  if (look.branches.coat) {
-    const BarkCoat& coat = *look.branches.coat;
+  if (const BarkCoat* worn = look.branches.coat_of(color)) {
+    const BarkCoat& coat = *worn;
     made.color = scaled(coat.image.color, 0.85 * brightness);
     std::string picture = bark_color_name(coat);
     return keep("coat " + picture, made, name, picture,
                 [coat, wide = std::min(pixels, coat.pixels)] { return coat_pictures(coat, wide); });
   }
   made.color = lighter(look.branches.plain(color, brightness), most);
-  made.gloss = look.branches.gloss(), made.metal = look.branches.metal();
+  made.gloss = look.branches.gloss(color), made.metal = look.branches.metal(color);
   Use use;
-  if (look.branches.patterned()) {
+  if (look.branches.patterned(color)) {
     Swatch swatch = skin_swatch(look.branches, color, pixels);
     swatch.light = most;
     use = keep_swatch(std::move(swatch), made, name, skin_roughness(look.branches));
   } else {
     made.factor = made.color;
     use = keep("plain" + key_of(made.factor), made, name, {}, {});
-    std::tie(use.wide, use.high) = picture_size(look.branches);
+    std::tie(use.wide, use.high) = picture_size(look.branches, color);
   }
   use.young = young;
   return use;
 }
 
-std::pair<double, double> Palette::picture_size(const BranchLook& look) {
+std::pair<double, double> Palette::picture_size(const BranchLook& look, std::size_t color) {
   constexpr double kRidge = 1.2;  // a ridge and the furrow beside it, in widths of a furrow
-  if (look.coat) return {1, 1};
+  if (look.coat_of(color)) return {1, 1};
   if (look.coral()) return {kPatterns * look.pattern_size(), kPatterns * look.pattern_size()};
-  if (look.ringed()) return {kRings * look.bark_scale(), kRings * look.bark_scale()};
+  if (look.ringed(color)) return {kRings * look.bark_scale(), kRings * look.bark_scale()};
   double wide = kRidge * BarkImage{}.ridges * look.bark_scale();
   return {wide, 2 * wide};
 }

@@ -24,7 +24,8 @@ bool is_vessel(const Solid& solid);
 /// so many pixels wide.
 Swatch vessel_swatch(const Solid& vessel, const Material& material, int pixels);
 
-/// The skin or the bark of branches in one of its colours; `look` must be patterned() and have no coat.
+/// The skin or the bark of branches in one of its colours; which must be patterned() and
+/// have no coat.
 Swatch skin_swatch(const BranchLook& look, std::size_t color, int pixels);
 /// The roughness of what is smooth on it.
 double skin_roughness(const BranchLook& look);
@@ -64,8 +65,8 @@ class Palette {
   /// Of cubes of a side in metres.
   Use cubes(const BranchLook& look, double brightness, std::size_t color, double side,
             const std::string& name);
-  /// Metres that the picture of branches is wide and high; of coats, 1 and 1.
-  static std::pair<double, double> picture_size(const BranchLook& look);
+  /// Metres that the picture of branches of a colour is wide and high; of coats, 1 and 1.
+  static std::pair<double, double> picture_size(const BranchLook& look, std::size_t color = 0);
   /// How a part of an organ lies on its picture: not at all, as a mesh of its own, or as a card that is cut
   /// out of it.
   enum class Lies { nowhere, mesh, card };

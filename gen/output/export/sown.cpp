@@ -115,7 +115,9 @@ std::vector<ExportPart> parts_of(Maker& maker, const Look& look, SownShape& shap
     if (part.kind == CopyPart::Kind::wood) {
       Look worn = look;
       if (!worn.branches.drawn()) worn.branches.bark = Bark{};
-      std::size_t wood = maker.palette.branches(worn, 1, 0, maker.name() + "_branches").material;
+      std::size_t wood =
+          maker.palette.branches(worn, 1, worn.branches.color_of(part.which), maker.name() + "_branches")
+              .material;
       parts.push_back({std::move(part.surface), wood});
     } else if (part.kind == CopyPart::Kind::blade) {
       parts.push_back(

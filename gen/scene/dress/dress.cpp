@@ -1,6 +1,7 @@
 #include "dress/dress.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 #include "core/linear.h"
@@ -34,14 +35,46 @@ double BranchLook::young_length() const {
   return skin ? skin->tint.young_length : bark ? bark->young_length : 0;
 }
 
+const Bark* BranchLook::bark_of(std::size_t color) const {
+  if (std::size_t k = other(color)) return &others[k - 1].bark;
+  return bark ? &*bark : nullptr;
+}
+
+const BarkCoat* BranchLook::coat_of(std::size_t color) const {
+  std::size_t k = other(color);
+  const std::optional<BarkCoat>& worn = k > 0 ? others[k - 1].coat : coat;
+  return worn ? &*worn : nullptr;
+}
+
 bool BranchLook::patterned() const {
-  return skin || (bark && (bark->kind == BarkKind::bark || bark->kind == BarkKind::birch || ringed()));
+  if (patterned(0)) return true;
+  for (std::size_t color = own_colors(); color < colors(); ++color)
+    if (patterned(color)) return true;
+  return false;
+}
+
+bool BranchLook::patterned(std::size_t color) const {
+  if (skin) return true;
+  const Bark* worn = bark_of(color);
+  return worn &&
+         (worn->kind == BarkKind::bark || worn->kind == BarkKind::birch || worn->kind == BarkKind::palm);
+}
+
+bool BranchLook::ringed(std::size_t color) const {
+  const Bark* worn = bark_of(color);
+  return worn && worn->kind == BarkKind::palm;
 }
 
 double BranchLook::pattern_size() const { return !patterned() ? 0 : skin ? skin->pores.cell : bark->scale; }
 
-double BranchLook::gloss() const {
-  return bark && (bark->kind == BarkKind::metal || bark->kind == BarkKind::wax) ? 0.8 : 0.1;
+double BranchLook::gloss(std::size_t color) const {
+  const Bark* worn = bark_of(color);
+  return worn && (worn->kind == BarkKind::metal || worn->kind == BarkKind::wax) ? 0.8 : 0.1;
+}
+
+bool BranchLook::metal(std::size_t color) const {
+  const Bark* worn = bark_of(color);
+  return worn && worn->kind == BarkKind::metal;
 }
 
 Color BranchLook::plain(std::size_t color, double brightness) const {
@@ -51,14 +84,16 @@ Color BranchLook::plain(std::size_t color, double brightness) const {
     auto bright = static_cast<float>(brightness);
     return mixed(shown(bright * old.tissue), shown(bright * old.pits), 0.3f);
   }
-  const Bark& wood = bark ? *bark : Bark{};
-  float furrows = bark && wood.kind == BarkKind::bark ? 0.25f : 0.0f;
-  return scaled(mixed(wood.colors[color], wood.second, furrows), brightness);
+  const Bark* worn = bark_of(color);
+  const Bark wood = worn ? *worn : Bark{};
+  float furrows = worn && wood.kind == BarkKind::bark ? 0.25f : 0.0f;
+  return scaled(mixed(wood.colors[other(color) ? 0 : color], wood.second, furrows), brightness);
 }
 
 Color BranchLook::young(std::size_t color, double brightness, Built built) const {
   if (skin) return shown(static_cast<float>(brightness) * tip_of(*skin, built));
-  return bark ? scaled(bark->young, brightness) : plain(color, brightness);
+  const Bark* worn = bark_of(color);
+  return worn ? scaled(worn->young, brightness) : plain(color, brightness);
 }
 
 Vec3 BranchLook::young_light(std::size_t color, Built built) const {
@@ -67,7 +102,8 @@ Vec3 BranchLook::young_light(std::size_t color, Built built) const {
   if (skin && skin->tint.young_length > 0) {
     light = tip_of(*skin, built) / glm::max(old_skin(*skin).tissue, Vec3(1e-3f));
   } else if (bark && !coat && bark->young_length > 0) {
-    light = linear(bark->young) / glm::max(linear(bark->colors[color]), Vec3(1e-3f));
+    const Bark& worn = *bark_of(color);
+    light = linear(worn.young) / glm::max(linear(worn.colors[other(color) ? 0 : color]), Vec3(1e-3f));
   }
   return glm::min(light, Vec3(kMostLighter));
 }
@@ -78,7 +114,9 @@ Vec3 BranchLook::cube(std::size_t color, float age, float shade) const {
     SkinColors colors = old_skin(*skin);
     old = colors.tissue, second = colors.pits, tip = young_cube(skin->tint);
   } else {
-    old = linear(bark->colors[color]), second = linear(bark->second), tip = linear(bark->young);
+    const Bark& worn = *bark_of(color);
+    old = linear(worn.colors[other(color) ? 0 : color]), second = linear(worn.second),
+    tip = linear(worn.young);
   }
   float dark = 0.16f * (1 - shade);
   return glm::mix(glm::mix(old, tip, age) * (0.80f + 0.40f * shade), second, dark);
@@ -89,6 +127,11 @@ Vec3 BranchLook::albedo() const {
   return bark ? mean(bark->colors) : Vec3(0.2f);
 }
 
+Vec3 BranchLook::albedo_at(const Model& model, std::int32_t node) const {
+  std::size_t k = others.empty() ? 0 : other(color_at(model, node));
+  return k > 0 ? linear(others[k - 1].bark.colors[0]) : albedo();
+}
+
 TubeShape BranchLook::tube_shape(std::span<const float> girth) const {
   return {.wrap = coat->wrap,
           .aspect = coat->aspect,
@@ -97,6 +140,34 @@ TubeShape BranchLook::tube_shape(std::span<const float> girth) const {
           .lobe_depth = lobe_depth,
           .least = static_cast<float>(coat->twigs),
           .girth = girth};
+}
+
+std::vector<Surface> by_bark(const BranchLook& look, const Model& model, const TubeMesh& tubes) {
+  if (look.others.empty() || model.color.empty()) return {tubes.surface};
+  std::vector<Surface> parts(1 + look.others.size());
+  std::vector<std::vector<std::uint32_t>> index(parts.size(),
+                                                std::vector<std::uint32_t>(tubes.node.size(), UINT32_MAX));
+  const Surface& all = tubes.surface;
+  for (const auto& triangle : all.triangle) {
+    // Between two rings is the segment that ends at the farther one.
+    std::int32_t node = std::max({tubes.node[triangle[0]], tubes.node[triangle[1]], tubes.node[triangle[2]]});
+    const std::size_t k = look.other(look.color_at(model, node));
+    Surface& part = parts[k];
+    std::array<std::uint32_t, 3> corners{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::uint32_t from = triangle[c];
+      std::uint32_t& at = index[k][from];
+      if (at == UINT32_MAX) {
+        at = static_cast<std::uint32_t>(part.position.size());
+        part.position.push_back(all.position[from]);
+        part.normal.push_back(all.normal[from]);
+        if (!all.uv.empty()) part.uv.push_back(all.uv[from]);
+      }
+      corners[c] = at;
+    }
+    part.triangle.push_back(corners);
+  }
+  return parts;
 }
 
 Color scaled(Color c, double factor) {
@@ -127,6 +198,8 @@ std::vector<Drawing> drawings(const Look& look) {
   for (const LeafLook& organ : look.organs) std::ranges::move(leaf_drawings(organ), std::back_inserter(all));
   std::ranges::copy(look.pictures, std::back_inserter(all));
   if (look.branches.coat) all.push_back(bark_drawing(*look.branches.coat));
+  for (const OtherBark& other : look.branches.others)
+    if (other.coat) all.push_back(bark_drawing(*other.coat));
   return all;
 }
 

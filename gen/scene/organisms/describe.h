@@ -170,7 +170,7 @@ void describe(Visitor& v, Organism& o) {
             "How many there are, those at given places included");
   v.object("place", o.place, "Where they stand");
   v.list("edits", o.edits, Count{0, 10000},
-         "Edits of branches by hand: cuts, bends, and limbs that grow stronger");
+         "Edits of branches by hand: cuts, bends, limbs that grow stronger, are bare or wear another bark");
   v.object("sown", o.sown, "Makes copies of a few models and sows them over the land, `count` of them");
   v.object("body", o.style, "What their branches are drawn as");
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dress/describe.h"
 #include "preset/keys.h"
 #include "preset/reader.h"
 #include "pruning/edits.h"
@@ -31,6 +32,19 @@ inline void describe_rest(KeyWriter& v, Address& address) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, BarkChange& b) {
+  v.aspect(Aspect::look);
+  v.choice("kind", b.kind, kBarks,
+           "What the branch is made of; where the plant wears a picture of bark, the branch wears none then, "
+           "unless pattern is given");
+  v.color("color", b.color, "Colour of the surface, of the ridges of a picture, and of young shoots");
+  v.color("second", b.second, "Colour in the furrows and bands");
+  v.choice("pattern", b.pattern, kBarkPatterns,
+           "Pattern of the branch's picture. Needs a plant that wears one, see coat");
+  v.number("lichens", b.lichens, {.min = 0, .max = 1}, "Share of the bark that lichens cover");
+}
+
+template <class Visitor>
 void describe(Visitor& v, Edit& e) {
   v.custom(
       "at", e.at, read_address, R"({"type": "string"})",
@@ -49,6 +63,9 @@ void describe(Visitor& v, Edit& e) {
   v.number("strength", e.strength, {.min = 0.2, .max = 3},
            "Factor of the length and thickness of all that is beyond the place");
   v.boolean("bare", e.bare, "Takes leaves, flowers and fruit off all that is beyond the place");
+  v.object("bark", e.bark,
+           "Another bark of all that is beyond the place, for plants; what it does not say is as on the rest "
+           "of the plant");
 }
 
 }  // namespace frond

@@ -13,6 +13,7 @@
 #include "geometry/far.h"
 #include "geometry/tubes.h"
 #include "motion/unfold.h"
+#include "world/other_barks.h"
 
 namespace frond {
 
@@ -239,21 +240,25 @@ Organs copy_organs(const Organism& organism, int which, const Model& full, const
   return now;
 }
 
+Dress copy_dress(const Organism& organism) {
+  Dress dress = organism.grower->dress();
+  add_other_barks(dress.look.branches, edits_of(organism.edits, std::nullopt));
+  return dress;
+}
+
 Result<Model> grow_copy(const Organism& organism, int which, bool full_leaf) {
   Seed seed = model_seed(organism, which);
   Result<Model> model = organism.grower->grow_copy(organism, seed);
   if (!model) return model;
-  edit_model(*model, edits_of(organism.edits, std::nullopt));
-  if (auto season = organism.grower->dress().season; season && !full_leaf)
-    in_season(*model, *season, 0, seed.child("season"));
+  const std::vector<Edit> edits = edits_of(organism.edits, std::nullopt);
+  const Dress dress = organism.grower->dress();
+  color_barks(*model, edits, dress.look.branches.own_colors());
+  edit_model(*model, edits);
+  if (dress.season && !full_leaf) in_season(*model, *dress.season, 0, seed.child("season"));
   if (organism.sown->size) fit_to(*model, *organism.sown->size);
   float depth = organism.grower->copy_depth(*model);
-  auto lower = [&](std::vector<Vec3>& places) {
-    for (Vec3& p : places) p.y -= depth;
-  };
-  lower(model->skeleton.position);
-  lower(model->organs.position);
-  lower(model->blades.surface.position);
+  for (auto* places : {&model->skeleton.position, &model->organs.position, &model->blades.surface.position})
+    for (Vec3& p : *places) p.y -= depth;
   return model;
 }
 
@@ -360,10 +365,17 @@ std::vector<CopyPart> copy_parts(const Look& look, const Model& model, const Cop
     const std::optional<BarkCoat>& coat = look.branches.coat;
     if (coat) shape.wrap = coat->wrap, shape.aspect = coat->aspect;
     shape.side = std::max(coat ? coat->facet : 0.02, 4 * detail.grain);
-    Skeleton bones = thinned(model.skeleton, 0.4f * fine, 0.5f * fine);
-    add(CopyPart::Kind::wood, 0, 0,
-        look.branches.coral() ? skin_tubes(std::move(bones), fine, look.branches.young_length())
-                              : tube_surface(bones, shape));
+    std::vector<std::int32_t> kept;
+    const float tolerance = bark_changes_within(look.branches, model) ? -1 : 0.5f * fine;
+    Skeleton bones = thinned(model.skeleton, 0.4f * fine, tolerance, &kept);
+    if (look.branches.coral()) {
+      add(CopyPart::Kind::wood, 0, 0, skin_tubes(std::move(bones), fine, look.branches.young_length()));
+    } else {
+      TubeMesh tubes = tube_mesh(bones, bones.position, bones.radius, {}, shape);
+      for (std::int32_t& node : tubes.node) node = kept[static_cast<std::size_t>(node)];
+      for (std::size_t k = 0; Surface & bark : by_bark(look.branches, model, tubes))
+        add(CopyPart::Kind::wood, k++, 0, std::move(bark));
+    }
   }
   CopyDetail each = detail;
   std::size_t shapes = 0;

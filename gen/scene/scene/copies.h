@@ -48,7 +48,7 @@ TintShift tint_shift(const CopyTint& tint, int number);
 struct CopyPart {
   enum class Kind { wood, organ, blade, solid };
   Kind kind = Kind::wood;
-  std::size_t which = 0;  ///< an organ's prototype, a solid's shape
+  std::size_t which = 0;  ///< an organ's prototype, a solid's shape, which of the other barks; 0: its own
   std::size_t part = 0;   ///< of the prototype
   /// `uv` of leaves: (k + u, v), where k is a whole number of each leaf's own, k modulo the number of colours
   /// the index of its colour, and (u, v) its place on the leaf; of wood as of tube_surface(), but of a coral
@@ -56,6 +56,9 @@ struct CopyPart {
   Surface surface;
   std::vector<int> block;  ///< of each triangle
 };
+
+/// What copies of a sown organism wear, with the barks that edits give to branches of them.
+Dress copy_dress(const Organism& organism);
 
 /// Grows model `which` of a sown organism, its foot at the origin. A tree with `crowd` grows up among six
 /// neighbours. Its leaves are in the season that the film begins in, or in full leaf. What it is made of

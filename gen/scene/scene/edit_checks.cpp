@@ -15,10 +15,12 @@ Errors edit_faults(const Organism& organism) {
     auto add = [&](std::string_view name, std::string what) {
       errors.push_back({fmt::format("/edits/{}{}", i, name), std::move(what)});
     };
-    const int given =
-        edit.cut.has_value() + edit.bend.has_value() + edit.strength.has_value() + (edit.bare ? 1 : 0);
+    const int given = edit.cut.has_value() + edit.bend.has_value() + edit.strength.has_value() +
+                      (edit.bare ? 1 : 0) + edit.bark.has_value();
     if (given != 1)
-      add("", fmt::format("has {} of cut, bend, strength and bare; expected one of them", given));
+      add("", fmt::format("has {} of cut, bend, strength, bare and bark; expected one of them", given));
+    if (edit.bark && !grower.dress().look.branches.plant())
+      add("/bark", "is of plants; expected an edit of a kind whose branches have bark");
     if (edit.dated() && !grower.lives_years())
       add("/cut", "names a year; expected true, or the kind tree, which grows over years");
     if (edit.bend && edit.at.share == 0)

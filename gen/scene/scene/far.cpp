@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/camera.h"
+#include "scene/copies.h"
 
 namespace frond {
 
@@ -75,7 +76,7 @@ SownStand& stand_named(Scene& scene, const Preset& preset, const std::string& na
   auto entry =
       std::ranges::find_if(preset.organisms, [&](const Organism& o) { return o.sown && o.name == name; });
   auto number = static_cast<std::size_t>(entry - preset.organisms.begin());
-  return scene.stands.emplace_back(SownStand{number, *entry, entry->grower->dress(), {}, {}});
+  return scene.stands.emplace_back(SownStand{number, *entry, copy_dress(*entry), {}, {}});
 }
 
 }  // namespace

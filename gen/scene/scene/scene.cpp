@@ -34,6 +34,7 @@
 #include "scene/woodland.h"
 #include "settings/meadow.h"
 #include "settings/settings.h"
+#include "world/other_barks.h"
 #include "world/world.h"
 
 namespace frond {
@@ -305,8 +306,11 @@ Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, Specime
   note_camera(scene, preset);
   note_growth(scene, preset);
   for (const Organism& organism : preset.organisms)
-    if (organism.count > 0 || (organism.sown && (preset.stand || preset.stage.far)))
-      std::ranges::move(drawings(organism.grower->dress().look), std::back_inserter(scene.drawings));
+    if (organism.count > 0 || (organism.sown && (preset.stand || preset.stage.far))) {
+      Look look = organism.grower->dress().look;
+      add_other_barks(look.branches, organism.edits);
+      std::ranges::move(drawings(look), std::back_inserter(scene.drawings));
+    }
   if (const Mask& grass = scene.stage.block<Meadow>().lawn.map; !grass.empty())
     scene.drawings.push_back(mask_drawing(grass));
   if (Errors errors = take_styles(scene, preset); !errors.empty()) return errors;

@@ -7,6 +7,7 @@
 #include "core/curve.h"
 #include "core/parallel.h"
 #include "land/plant_grid.h"
+#include "scene/copies.h"
 #include "scene/entry_seeds.h"
 
 namespace frond {
@@ -144,7 +145,7 @@ class Library {
       stand.organism.grower = aged;
     stand.organism.sown->size = ModelSize{stature.height, stature.crown, kFlare * stature.diameter};
     stand.organism.sown->where.radius = stature.crown;
-    stand.dress = stand.organism.grower->dress();
+    stand.dress = copy_dress(stand.organism);
     return stand;
   }
 

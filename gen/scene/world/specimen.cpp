@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "model/bytes.h"
+#include "world/other_barks.h"
 
 namespace frond {
 
@@ -67,6 +68,8 @@ void transform(Model& model, Vec3 foot, Quat turn, float size) {
 void edit_specimen(Specimen& specimen, std::span<const Edit> edits) {
   if (edits.empty()) return;
   Life& life = specimen.life;
+  BranchLook& worn = specimen.look.branches;
+  add_other_barks(worn, edits);
   if (life.edit) {
     const auto edit = std::exchange(life.edit, {});
     edit(specimen, edits);
@@ -77,11 +80,14 @@ void edit_specimen(Specimen& specimen, std::span<const Edit> edits) {
   std::vector<Edit> here(edits.begin(), edits.end());
   for (Edit& edit : here)
     if (edit.bend) *edit.bend = placed.turn * (*edit.bend * placed.size);
+  const std::size_t colors = worn.own_colors();
+  color_barks(specimen.model, here, colors);
   std::vector<float> levers = edit_model(specimen.model, here);
   if (life.develop)
-    life.develop = [develop = life.develop, here = std::move(here), levers = std::move(levers)](double time) {
+    life.develop = [develop = life.develop, here = std::move(here), levers = std::move(levers),
+                    colors](double time) {
       Result<Model> now = develop(time);
-      if (now) edit_model(*now, here, levers);
+      if (now) color_barks(*now, here, colors), edit_model(*now, here, levers);
       return now;
     };
 }

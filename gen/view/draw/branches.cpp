@@ -9,6 +9,7 @@
 #include "core/lru_cache.h"
 #include "field/cubes.h"
 #include "geometry/relief.h"
+#include "world/other_barks.h"
 
 namespace frond {
 
@@ -116,13 +117,27 @@ TubeShape DrawnBranches::tube_shape(double pixel) const {
   return shape;
 }
 
-Surface DrawnBranches::coat_surface(Vec3 eye, double pixel) const {
-  Surface wood = tube_surface(rest(), pose.position, pose.radius, pose.turn, tube_shape(pixel));
-  const BarkCoat& coat = *look().coat;
-  return coat.furrow > 0 && !wood.triangle.empty() ? furrowed(wood, coat, eye) : wood;
+std::vector<std::pair<const BarkCoat*, Surface>> DrawnBranches::coat_surfaces(Vec3 eye, double pixel) const {
+  TubeShape shape = tube_shape(pixel);
+  if (bark_changes_within(look(), model)) shape.grain = 0;
+  std::vector<Surface> woods =
+      by_bark(look(), model, tube_mesh(rest(), pose.position, pose.radius, pose.turn, shape));
+  std::vector<std::pair<const BarkCoat*, Surface>> coats;
+  for (std::size_t k = 0; k < woods.size(); ++k) {
+    const BarkCoat* coat = look().coat_of(look().color_of(k));
+    if (!coat || woods[k].triangle.empty()) continue;
+    coats.emplace_back(coat, coat->furrow > 0 ? furrowed(woods[k], *coat, eye) : std::move(woods[k]));
+  }
+  return coats;
 }
 
-std::vector<bool> DrawnBranches::coatless(double pixel) const { return left_out(rest(), tube_shape(pixel)); }
+std::vector<bool> DrawnBranches::coatless(double pixel) const {
+  std::vector<bool> out = left_out(rest(), tube_shape(pixel));
+  if (look().others.empty()) return out;
+  for (std::size_t i = 0; i < out.size(); ++i)
+    if (!look().coat_of(look().color_at(model, static_cast<std::int32_t>(i)))) out[i] = true;
+  return out;
+}
 
 BranchVolume DrawnBranches::boughs_at(const std::vector<Vec3>& position) const {
   BranchVolume boughs;

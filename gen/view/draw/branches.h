@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "draw/sweep.h"
@@ -38,10 +39,10 @@ struct DrawnBranches {
   /// Whether all branches have one and the same texture in the whole film, which then stands on their union.
   bool one_texture() const;
 
-  /// Those of a tree that wears a bark as a picture; empty while none of it has grown. Where the eye is near,
-  /// its furrows are let in. What is finer than a `pixel`, metres, is left out.
-  Surface coat_surface(Vec3 eye, double pixel) const;
-  /// Which nodes it leaves out: those of twigs too thin for a picture.
+  /// Those of a tree that wears a bark as a picture, by their pictures; empty while none of it has grown.
+  /// Where the eye is near, their furrows are let in. What is finer than a `pixel`, metres, is left out.
+  std::vector<std::pair<const BarkCoat*, Surface>> coat_surfaces(Vec3 eye, double pixel) const;
+  /// Which nodes they leave out: those of twigs too thin for a picture, and of branches that wear none.
   std::vector<bool> coatless(double pixel) const;
 
   /// How branches become tubes where a pixel is so many metres; 0: in all detail.

@@ -45,7 +45,8 @@ struct SurfelSampler {
   const Sink& sink;
 
   void skeleton(const Skeleton& s, const std::vector<Vec3>& position, const std::vector<float>& radius,
-                Vec3 albedo) const {
+                const BranchLook& look, const Model& model) const {
+    const Vec3 own = look.albedo();
     parallel_for((s.size() + 1023) / 1024, [&](std::size_t part) {
       for (std::size_t i = part * 1024; i < std::min(s.size(), (part + 1) * 1024); ++i) {
         std::int32_t parent = s.parent[i];
@@ -53,6 +54,7 @@ struct SurfelSampler {
         Vec3 from = position[static_cast<std::size_t>(parent)], offset = position[i] - from;
         float length = glm::length(offset), r = radius[i];
         if (!(length > 0) || !(r > 0)) continue;
+        const Vec3 albedo = look.others.empty() ? own : look.albedo_at(model, static_cast<std::int32_t>(i));
         float step = sink.step(from);
         int along = static_cast<int>(std::clamp(std::ceil(length / step), 1.0f, 1e4f));
         int round = r > 0.7f * step ? static_cast<int>(std::min(std::ceil(6.2832f * r / step), 256.0f)) : 1;
@@ -173,7 +175,7 @@ template <class Sink>
 void sample_surfels(const Sink& sink, const DrawList& drawn) {
   SurfelSampler<Sink> to{sink};
   const Pose& pose = drawn.pose;
-  to.skeleton(drawn.model.skeleton, pose.position, pose.radius, drawn.traits.look.branches.albedo());
+  to.skeleton(drawn.model.skeleton, pose.position, pose.radius, drawn.traits.look.branches, drawn.model);
   to.bodies(drawn.bodies);
   to.organs(drawn.model.prototypes, drawn.organs);
   for (const DrawnBlades& blades : drawn.blades)

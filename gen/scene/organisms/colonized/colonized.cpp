@@ -7,6 +7,7 @@
 #include "geometry/smooth.h"
 #include "images/read_picture.h"
 #include "organisms/crown_leaves.h"
+#include "pruning/address.h"
 
 namespace frond {
 
@@ -106,6 +107,17 @@ void bend_round(Skeleton& skeleton, const Detour& detour) {
   set_births(skeleton);
 }
 
+/// By the place where branches leave their parent.
+void shape_branches(Skeleton& s, const BranchesAlong& by) {
+  if (by.even()) return;
+  ShapedAlong to = shape_along(s.parent, axis_nodes(s), s.position, s.radius, by);
+  s.position = std::move(to.position);
+  for (std::size_t i = 0; i < s.size(); ++i) s.radius[i] *= to.radius[i];
+  set_distances(s);
+  set_tip_distances(s);
+  set_births(s);
+}
+
 }  // namespace
 
 Result<Model> grow_colonized_tree(const ColonizedParams& params, Seed seed, const Detour& detour) {
@@ -129,6 +141,7 @@ Result<Model> grow_colonized_tree(const ColonizedParams& params, Seed seed, cons
   set_tip_distances(model.skeleton);
   set_births(model.skeleton);
   set_girth(model.skeleton, params.thickness, 0.1f);
+  shape_branches(model.skeleton, params.along);
   if (detour) bend_round(model.skeleton, detour);
   if (params.leaf_reach > 0) {
     std::vector<LeafSite> sites = dress_tips(model.skeleton, params.leaf_reach, params.leaf_spacing,

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/assets.h"
+#include "crown/along_parent.h"
 #include "crown/colonize.h"
 #include "dress/dress.h"
 #include "geometry/girth.h"
@@ -34,6 +35,7 @@ struct ColonizedParams {
   TreeGuide guide;  ///< of its first limbs
   Girth thickness{GirthFrom::pipe, 0.13, 2.4, Curve(), 0.0025, 0.5};
   int smoothing = 2;
+  BranchesAlong along;               ///< how branches are shaped once they have grown
   double leaf_reach = 0.55;          ///< metres from a tip within which leaves grow; 0: no leaves
   double leaf_spacing = 0.035;       ///< metres from leaf to leaf
   double leaf_down = radians(55.0);  ///< between branch and leaf

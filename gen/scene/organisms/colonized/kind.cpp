@@ -4,6 +4,7 @@
 #include "dress/describe.h"
 #include "dress/picture_bounds.h"
 #include "organisms/colonized/colonized.h"
+#include "organisms/describe_along.h"
 #include "organisms/kinds.h"
 
 namespace frond {
@@ -62,6 +63,7 @@ void describe(Visitor& v, ColonizedParams& p) {
   v.object("thickness", p.thickness, "Thickness of the branches");
   v.integer("smoothing", p.smoothing, {.min = 1, .max = 16},
             "Number of nodes that each segment is rounded with");
+  describe(v, p.along);
   v.number("leaf_reach", p.leaf_reach, {.min = 0, .max = 100, .unit = "m"},
            "Distance from a tip within which leaves stand; 0 leaves it bare");
   v.number("leaf_spacing", p.leaf_spacing, {.min = 0.001, .max = 100, .unit = "m"},

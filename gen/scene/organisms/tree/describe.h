@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dress/describe.h"
+#include "organisms/describe_along.h"
 #include "organisms/tree/tree.h"
 
 // The properties of a tree as presets spell them; see preset/describe.h.
@@ -164,6 +165,7 @@ void describe(Visitor& v, TreeParams& t) {
       "guide", t.guide,
       "A line that its stem follows, from the foot; past its end and on all branches it grows by its own "
       "laws");
+  describe(v, t.along);
   v.object("wood", t.species.wood, "Thickness, weight and strength of the wood");
   v.object("light", t.light, "The field of light; that of the scene's first tree counts for all");
   Years weather{t.wind, t.snow};

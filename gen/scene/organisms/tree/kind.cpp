@@ -254,7 +254,7 @@ class TreeGrower final : public Described<TreeParams, Grower> {
     double film_length = 0;
     std::shared_ptr<const Heights> ground;
     Seed look;
-    std::vector<Edit> edits = {};  ///< that leave branches bare
+    std::vector<Edit> edits = {};  ///< that say what branches bear and wear
   };
 
   /// Gives a tree its model, and its life where that is filmed.
@@ -272,7 +272,9 @@ class TreeGrower final : public Described<TreeParams, Grower> {
       tree.life.ground = ground;
     }
     tree.model = tree_model(params, *grown, cycle, filming, look);
+    const std::size_t colors = tree.look.branches.own_colors();
     strip_model(tree.model, edits);
+    color_barks(tree.model, edits, colors);
     tree.model.notes = grown->notes;
     tree.life.held = grown->held();
     tree.life.edit = [by, grown](Specimen& same, std::span<const Edit> given) {
@@ -288,12 +290,13 @@ class TreeGrower final : public Described<TreeParams, Grower> {
       return age_at_cycle(species, std::max(0.0, cycle_at(growth, cycles, time) - born));
     };
     if (!grows) return;
-    tree.life.develop = [params = params, grown, cycles = cycles, look = look, leafy, growth,
-                         edits = edits](double time) -> Result<Model> {
+    tree.life.develop = [params = params, grown, cycles = cycles, look = look, leafy, growth, edits = edits,
+                         colors](double time) -> Result<Model> {
       Filming now = filming_of(growth, cycles, time);
       now.leafy = leafy;
       Model model = tree_model(params, *grown, cycle_at(growth, cycles, time), now, look);
       strip_model(model, edits);
+      color_barks(model, edits, colors);
       return model;
     };
   }

@@ -9,6 +9,7 @@
 #include "grove/age.h"
 #include "grove/bodies.h"
 #include "organisms/tree/knots.h"
+#include "organisms/tree/shape_tree.h"
 #include "organisms/tree/topple.h"
 
 namespace frond {
@@ -333,7 +334,9 @@ Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather, st
     note_late_cuts(seedlings, grove);
     bool whole = lived == grove.cycles;
     grove.cycles = lived;
-    if (whole || even) return grove;
+    if (!whole && !even) continue;
+    for (std::size_t i = 0; i < sites.size(); ++i) shape_tree(grove.trees[i], sites[i].params->along);
+    return grove;
   }
 }
 

@@ -5,6 +5,7 @@
 #include "core/detour.h"
 #include "core/result.h"
 #include "core/seed.h"
+#include "crown/along_parent.h"
 #include "dress/dress.h"
 #include "foliage/sprig.h"
 #include "grove/grove.h"
@@ -43,7 +44,8 @@ struct TreeParams {
   int years = 32;  ///< its final age
   GrowthBudget budget;
   Species species;
-  TreeGuide guide;  ///< of its stem
+  TreeGuide guide;      ///< of its stem
+  BranchesAlong along;  ///< how what has grown on it is shaped
   LightLaw light;
   double wind = 22;    ///< metres a second, the strongest gust of a year
   double snow = 0;     ///< kg a square metre

@@ -28,6 +28,6 @@ export function lostEdits(store: Pick<Store, "preset">, notes: readonly string[]
 
 function said(edit: unknown): string {
   if (!isObject(edit)) return "";
-  const act = edit.cut === true ? "cut" : typeof edit.cut === "number" ? `cut in year ${edit.cut}` : edit.bend !== undefined ? "bent" : edit.strength !== undefined ? `strength ${String(edit.strength)}` : edit.bare === true ? "bare" : "";
+  const act = edit.cut === true ? "cut" : typeof edit.cut === "number" ? `cut in year ${edit.cut}` : edit.bend !== undefined ? "bent" : edit.strength !== undefined ? `strength ${String(edit.strength)}` : edit.bare === true ? "bare" : edit.bark !== undefined ? "another bark" : "";
   return [String(edit.at ?? ""), act].filter(Boolean).join(", ");
 }

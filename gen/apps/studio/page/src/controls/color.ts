@@ -8,7 +8,7 @@ import { isTyping, valueOf, type Control, type Place } from "./control";
 const byte = (share: number): string => Math.round(255 * Math.min(1, Math.max(0, share))).toString(16).padStart(2, "0");
 
 /** The same colour as "#rrggbb", of [0.85, 0.54, 0.31], CSS or a place in the palettes; undefined where it is none. */
-function hexOf(value: unknown, palettes: unknown): string | undefined {
+export function hexOf(value: unknown, palettes: unknown): string | undefined {
   if (Array.isArray(value) && value.length === 3) return "#" + value.map((v) => byte(Number(v))).join("");
   if (typeof value !== "string") return undefined;
   const place = /^palette:(.*?)(?:\/(\d+))?$/.exec(value);

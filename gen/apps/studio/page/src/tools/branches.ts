@@ -15,6 +15,7 @@ import type { View } from "../view/view";
 import { bent } from "./beam";
 import { Marks, touches } from "../view/marks";
 import { toolButton } from "./button";
+import { OtherBark, type Bark } from "./other_bark";
 
 const COLORS = { hangs: 0xffa63d, axis: 0xffffff, handle: 0x59c36a };
 const FAR = 1e4; // metres
@@ -29,6 +30,7 @@ interface Edit {
   bend?: [number, number, number];
   strength?: number;
   bare?: boolean;
+  bark?: Bark;
 }
 
 export class Branches implements Tool {
@@ -46,6 +48,7 @@ export class Branches implements Tool {
   private lost = el("details.lost-edits", { hidden: true, "data-testid": "lost-edits" }) as HTMLDetailsElement;
   private lostShown = "";
   private bare: HTMLElement;
+  private bark = new OtherBark((bark) => this.wear(bark), () => this.store.endGesture());
   private byYear: HTMLElement;
   private acts: HTMLElement;
 
@@ -63,6 +66,7 @@ export class Branches implements Tool {
       button("stronger", "Stronger", "Longer and thicker, with all that hangs on it", () => this.strengthen(STRONGER)),
       button("weaker", "Weaker", "Shorter and thinner", () => this.strengthen(1 / STRONGER)),
       this.bare,
+      this.bark.element,
       button("undo", "As it grew", "Takes back all that was done with it", () => this.forget()),
     );
     const find = button("find", "Find", "Picks the branch of that address", () => void this.find(this.address.value));
@@ -206,7 +210,9 @@ export class Branches implements Tool {
       this.address.value = found.at;
       this.store.select(found.entry);
       const cm = round(200 * found.radius, 1);
-      this.bare.setAttribute("aria-pressed", String(this.edits(found).some((e) => this.same(found, e) && e.bare === true)));
+      const own = this.edits(found).filter((e) => this.same(found, e));
+      this.bare.setAttribute("aria-pressed", String(own.some((e) => e.bare === true)));
+      this.bark.show(own.find((e) => e.bark)?.bark, this.store.preset.whole.palettes);
       this.told.textContent = `${this.store.preset.nameOf(found.entry)}, branch ${found.at}: ${cm} cm thick. Drag the green point to bend it.`;
     }
     this.show();
@@ -255,6 +261,16 @@ export class Branches implements Tool {
       const was = all.find((e) => same(e) && e.bare === true);
       return was ? all.filter((e) => e !== was) : [...all, { bare: true }];
     });
+  }
+
+  /** Gives it another bark, or the plant's own again. */
+  private wear(bark: Bark | undefined): void {
+    const { picked } = this;
+    if (!picked) return;
+    const index = this.edits(picked).findIndex((e) => this.same(picked, e) && e.bark !== undefined);
+    if (index < 0 && !bark) return;
+    if (index >= 0 && bark) return this.store.set(["organisms", picked.entry, "edits", index, "bark"], bark, "bark of a branch");
+    this.write((all) => (bark ? [...all, { bark }] : all.filter((_, i) => i !== index)));
   }
 
   private forget(): void {
