@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Usage: scripts/manual.py [--check | --strips [--again NAME...]]
 
-Writes docs/kinds/*.md and docs/settings/*.md from what `frond describe --json` says, and renders their strips.
+Writes docs/kinds/*.md and docs/settings/*.md from what `frond describe --json` says, docs/library.md from the header of
+the library, and renders the strips of kinds and settings.
 
   scripts/manual.py              the pages, with the strips that there are
   scripts/manual.py --check      whether the pages are those of the program; writes nothing
@@ -18,6 +19,9 @@ import shutil
 import subprocess
 import sys
 import tempfile
+
+sys.dont_write_bytecode = True  # the sources stay as they are
+from api_page import library_page
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FROND = os.environ.get("FROND_BIN", str(ROOT / "build" / "frond"))
@@ -170,6 +174,7 @@ def pages():
     index = "".join(f"* [{name}]({name}.md): {doc}\n" for name, doc in settings)
     made["settings/README.md"] = ("# Settings\n\n" + index +
                                   "* [preset](preset.md): film, camera, wind, events and the rest of a preset\n" + MADE)
+    made["library.md"] = library_page() + MADE
     return made
 
 

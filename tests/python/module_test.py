@@ -211,8 +211,11 @@ class Rendering(unittest.TestCase):
             with frond.render(preset, pathlib.Path(folder) / "other", size=(640, 360), quality="best") as run:
                 next(iter(run))
             self.assertFalse((pathlib.Path(folder) / "other" / "film.mp4").exists())
-            with self.assertRaisesRegex(RuntimeError, "no such|cannot|could not"):
-                frond.render(pathlib.Path(folder) / "missing.json", folder).wait()
+            self.assertEqual(frond.render(preset, pathlib.Path(folder) / "out", quality="draft").wait(), film, "it is there already")
+            with self.assertRaisesRegex(frond.FrondError, "missing.json"):
+                frond.render(pathlib.Path(folder) / "missing.json", folder)
+            with self.assertRaisesRegex(RuntimeError, "is a file"):
+                frond.render(preset, TINY).wait()
 
 
 class Docs(unittest.TestCase):

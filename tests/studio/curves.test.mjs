@@ -32,7 +32,12 @@ const angle = async () => (await json()).scene.camera.angle;
 const location = async () => (await json()).scene.camera.location;
 const undo = () => page.getByTestId('undo').click();
 const middle = async one => {
-  const box = await one.boundingBox();
+  // What is drawn anew has no box for a moment.
+  let box = null;
+  while (!box) {
+    await one.waitFor();
+    box = await one.boundingBox();
+  }
   return [box.x + box.width / 2, box.y + box.height / 2];
 };
 /** From in front of a place. */

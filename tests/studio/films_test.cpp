@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/files.h"
-#include "studio/carry.h"
+#include "scene/named_files.h"
 
 namespace frond {
 namespace {
@@ -35,7 +35,7 @@ class FilmsTest : public testing::Test {
 
 TEST_F(FilmsTest, TellsWhatCannotBeAFilm) {
   Documents documents({.home = FROND_ROOT, .preset = folder_ / "a.json", .assets = {}, .ready = {}});
-  Films films(documents, FROND_ROOT);
+  Films films(documents);
   Doc doc{kText, folder_ / "a.json"};
   EXPECT_NE(films.begin(doc, {}).errors().front().text().find("a still"), std::string::npos);
   FilmOrder order;
@@ -54,7 +54,7 @@ TEST_F(FilmsTest, FindsWhatEarlierStudiosLeft) {
   (void)write_file(folder_ / "out/films/b-1/film.json", R"({"order": 3})");
   for (int frame : {1, 3}) (void)write_file(paused / fmt::format("frames/frame_000{}.png", frame), "png");
   Documents documents({.home = FROND_ROOT, .preset = folder_ / "a.json", .assets = {}, .ready = {}});
-  Films films(documents, FROND_ROOT);
+  Films films(documents);
   EXPECT_EQ(films.list().size(), 3u) << "what is no film is left out";
   Json state = *films.state("a-1");
   EXPECT_EQ(state["state"], "paused");
@@ -70,7 +70,7 @@ TEST_F(FilmsTest, FindsWhatEarlierStudiosLeft) {
   EXPECT_EQ((*films.state("a-3"))["plays"], "rough.webm");
   EXPECT_EQ(films.file("a-3", "rough.webm"), clear / "rough/film.webm");
   (void)write_file(clear / "film.mov", "film");
-  Films later(documents, FROND_ROOT);
+  Films later(documents);
   EXPECT_EQ((*later.state("a-3"))["state"], "done");
   EXPECT_EQ((*later.state("a-3"))["film"], "film.mov");
   EXPECT_EQ((*later.state("a-3"))["plays"], "rough.webm") << "the whole one cannot be played";

@@ -8,6 +8,7 @@
 #include "cli/judge.h"
 #include "cli/streams.h"
 #include "core/figures.h"
+#include "core/home.h"
 #include "export/formats.h"
 
 namespace frond {

@@ -1,25 +1,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
-#include "cli/bar.h"
 #include "cli/commands.h"
-#include "cli/farm_folder.h"
-#include "cli/farm_hand.h"
-#include "cli/farm_plan.h"
 #include "cli/inputs.h"
 #include "cli/messages.h"
 #include "cli/rendering.h"
 #include "cli/streams.h"
+#include "cli/terminal_events.h"
 #include "core/files.h"
 #include "core/printable.h"
 #include "core/text.h"
+#include "farm/farm_hand.h"
+#include "farm/hand_over.h"
 #include "render/process.h"
 #include "render/slurm.h"
 
-// A film on many machines: farm. It makes the folder of the job and finds out what is to be done;
-// farm_hand.cpp hands that out, and farm_task.cpp is what each task does.
+// A film on many machines: farm. output/farm hands it over, and farm_task.cpp is what each task does.
 
 namespace frond {
 
@@ -93,15 +90,6 @@ int show_status(const fs::path& farm) {
   return kDone;
 }
 
-int end_jobs(const fs::path& farm) {
-  if (!find_program("scancel"))
-    return fail_run({{"", "scancel: no such program; this machine is no part of a Slurm cluster"}},
-                    kCouldNot);
-  Result<std::string> jobs = read_file(farm / "latest" / "jobs");
-  Errors errors = jobs ? cancel_in_slurm(jobs_in(*jobs)) : Errors{};
-  return errors.empty() ? int{kDone} : fail_run(errors, kCouldNot);
-}
-
 int show_logs(const fs::path& farm) {
   constexpr std::size_t kLines = 20;
   std::string text;
@@ -118,6 +106,11 @@ int show_logs(const fs::path& farm) {
   return kDone;
 }
 
+int end_jobs(const fs::path& farm) {
+  Errors errors = cancel_farm(farm);
+  return errors.empty() ? int{kDone} : fail_run(errors, kCouldNot);
+}
+
 int look_at(const FarmArguments& a, const fs::path& farm) {
   std::error_code error;
   if (!fs::is_directory(farm / "latest", error))
@@ -125,138 +118,48 @@ int look_at(const FarmArguments& a, const fs::path& farm) {
   return a.status ? show_status(farm) : a.cancel ? end_jobs(farm) : show_logs(farm);
 }
 
-/// What is not there that the film is to be handed to.
-int check_queue(const FarmArguments& a, const fs::path& farm) {
-  if (a.hosts && !find_program("parallel"))
-    return fail_run({{"", "parallel: no such program; --hosts needs GNU parallel: apt-get install parallel"}},
-                    kCouldNot);
-  if (a.hosts || a.openjd || a.opencue) return kDone;
-  if (!find_program("sbatch"))
-    return fail_run({{"",
-                      "sbatch: no such program; this machine is no part of a Slurm cluster; --hosts and "
-                      "--openjd need none"}},
-                    kCouldNot);
-  if (a.partition && !has_slurm_partition(*a.partition)) {
-    Result<std::vector<std::string>> there = slurm_partitions();
-    if (!there) return fail_run(there.errors(), kCouldNot);
-    std::string names;
-    for (const std::string& name : *there) names += " " + name;
-    return fail_run({{"", fmt::format("--partition: there is no '{}'; there is{}", *a.partition, names)}},
-                    kWrongInput);
-  }
-  Result<std::string> jobs = read_file(farm / "latest" / "jobs");
-  if (jobs && !slurm_tasks(jobs_in(*jobs), "PENDING,RUNNING,COMPLETING").empty())
-    return fail_run(
-        {{"", farm.string() + ": a farm is at work there; see --status, or end it with --cancel"}},
-        kWrongInput);
-  return kDone;
-}
-
-/// Whether a still is drawn in bands, which are joined as they are.
-bool in_bands(const FarmArguments& a, const Film& film) {
-  return film.frames == 1 && counting_number(a.bands) > 1;
-}
-
-FarmCall call_of(const FarmArguments& a, const Film& film) {
-  std::error_code error;
-  auto whole = [&](const std::string& path) {
-    fs::path from_root = fs::absolute(path, error).lexically_normal();
-    return from_root.has_filename() ? from_root : from_root.parent_path();
-  };
-  FarmCall call{fs::current_path(error), whole(a.preset.path), {}, {}};
-  if (a.preset.assets) call.assets = whole(*a.preset.assets);
-  PresetArguments rest = a.preset;
-  rest.assets.reset();
-  add_words(call.options, rest);
-  call.options.erase(call.options.begin());  // the preset
-  call.options.push_back(!in_bands(a, film) && is_resolved(film, a.resolve) ? "--resolve" : "--no-resolve");
-  return call;
-}
-
-/// What the tasks find out of the environment, and the modules that they load.
-Errors write_surroundings(const fs::path& job, const FarmSite& site) {
-  std::string modules, environment;
-  for (const std::string& module : site.modules) modules += module + '\n';
-  for (const char* name : {"FROND_POVRAY", "FROND_FFMPEG", "FROND_UNCONFINED"})
-    if (std::string value = environment_or(name, ""); !value.empty())
-      environment += fmt::format("{}={}\n", name, value);
-  for (const auto& [name, text] : {std::pair("modules", &modules), std::pair("environment", &environment)})
-    if (Result<bool> written = write_file(job / name, *text); !written) return written.errors();
-  return {};
-}
-
-/// Makes the folder of the job, or finds it.
-int make_job(const FarmArguments& a, Handed& to) {
-  Result<Preset> preset = load_preset(a.preset);
-  if (!preset) return fail(preset.errors(), kWrongInput);
-  if (Errors errors = refuse_resolving(preset->film, a.resolve); !errors.empty())
-    return fail(errors, kWrongInput);
-  if (preset->film.crop && in_bands(a, preset->film))
-    return fail({{"--crop", "a still in bands is drawn as a whole; expected --bands 1, too"}}, kWrongInput);
-  std::set<fs::path> files{a.preset.path};
-  files.insert(preset->files.begin(), preset->files.end());
-  std::string named = environment_or("FROND_BIN", own_program().string());
-  std::optional<fs::path> program = find_program(named);
-  if (!program) return fail_run({{"", named + ": no such program"}}, kCouldNot);
-  StopSignals stop;
-  Result<fs::path> job =
-      make_farm_folder(to.farm, call_of(a, preset->film), *program, {files.begin(), files.end()}, stop);
-  if (!job) return fail_run(job.errors(), stop.asked() ? kInterrupted : kCouldNot);
-  to.job = *job;
-  std::error_code error;
-  for (const fs::path& note : files_in(to.job / "failed")) fs::remove(note, error);
-  fs::remove(to.job / "bands", error);
-  Errors errors = write_surroundings(to.job, to.site);
-  return errors.empty() ? int{kDone} : fail_run(errors, kCouldNot);
-}
-
-/// Finds out what is to be done. Pictures that are damaged go here, and so are made again.
-int make_plan(const FarmArguments& a, Handed& to) {
-  Result<FarmCall> call = read_farm_call(to.job);
-  if (!call) return fail_run(call.errors(), kCouldNot);
-  std::vector<std::string> options{"--film-only"};
-  if (a.frames) options.push_back("--frames=" + *a.frames);
-  Result<int> code = run(generate_command(to.job, *call, to.job, options));
-  if (!code) return fail_run(code.errors(), kCouldNot);
-  if (*code != kDone) return *code;
-  constexpr int kMostElsewhere = 100'000;
-  bool slurm = !a.hosts && !a.openjd && !a.opencue;
-  Result<FarmPlan> plan =
-      plan_farm(to.job, {count_of(a.chunk), count_of(a.bands), slurm ? most_slurm_tasks() : kMostElsewhere});
-  if (!plan) return fail_run(plan.errors(), kCouldNot);
-  to.plan = std::move(*plan);
-  if (!to.plan.note.empty()) say(to.plan.note);
-  return kDone;
-}
-
 }  // namespace
 
 int farm(const FarmArguments& a) {
   if (std::string wrong = wrong_farm_words(a); !wrong.empty()) return fail_run({{"", wrong}}, kWrongInput);
   std::error_code error;
-  const std::string& preset = a.preset.path;
-  if (!fs::is_regular_file(preset, error))
-    return fail_run({{"", preset + ": no such preset" + nearest_presets(preset)}}, kWrongInput);
-  Handed to;
-  to.name = fs::path(preset).stem();
-  fs::path out = a.out.empty() ? fs::path("out") / to.name : fs::path(a.out);
-  to.farm = fs::weakly_canonical(fs::absolute(out, error), error) / "farm";
-  if (std::ranges::any_of(to.farm.string(), [](unsigned char c) { return c < ' ' || c == 127; }))
-    return fail_run({{"", "the name of the folder holds a line break, which farms cannot bear"}},
-                    kWrongInput);
-  if (a.status || a.cancel || a.logs) return look_at(a, to.farm);
+  const std::string& file = a.preset.path;
+  if (!fs::is_regular_file(file, error))
+    return fail_run({{"", file + ": no such preset" + nearest_presets(file)}}, kWrongInput);
+  fs::path out = a.out.empty() ? fs::path("out") / fs::path(file).stem() : fs::path(a.out);
+  if (a.status || a.cancel || a.logs) return look_at(a, farm_folder(out));
+  FarmOrder order{.file = file,
+                  .assets = a.preset.assets,
+                  .out = out,
+                  .program = environment_or("FROND_BIN", own_program().string()),
+                  .frames = a.frames,
+                  .resolve = a.resolve,
+                  .chunk = count_of(a.chunk),
+                  .bands = count_of(a.bands),
+                  .partition = a.partition,
+                  .hosts = a.hosts,
+                  .openjd = a.openjd,
+                  .opencue = a.opencue};
   if (a.site) {
     Result<std::string> text = read_file(*a.site);
     Result<FarmSite> site = text ? read_farm_site(*text, *a.site) : text.errors();
     if (!site) return fail(site.errors(), kWrongInput);
-    to.site = std::move(*site);
+    order.site = std::move(*site);
   }
-  if (int code = check_queue(a, to.farm); code != kDone) return code;
-  if (int code = make_job(a, to); code != kDone) return code;
-  if (int code = make_plan(a, to); code != kDone) return code;
-  if (a.openjd || a.opencue) return write_job_files(to, a.openjd, a.opencue);
-  if (a.hosts) return render_on_hosts(to, *a.hosts);
-  return hand_to_slurm(to, a.partition);
+  Result<Preset> preset = load_preset(a.preset);
+  if (!preset) return fail(preset.errors(), kWrongInput);
+  PresetArguments rest = a.preset;
+  rest.assets.reset();
+  add_words(order.words, rest);
+  order.words.erase(order.words.begin());  // the preset
+  StopSignals stop;
+  TerminalEvents events;
+  RenderedFilm handed = hand_over(order, *preset, stop, events);
+  if (handed.outcome.stopped) return kInterrupted;
+  if (!handed.outcome.well())
+    return fail_run(handed.outcome.errors, handed.outcome.of_the_preset ? kWrongInput : kCouldNot);
+  for (const fs::path& result : handed.results) put(result.string() + "\n");
+  return kDone;
 }
 
 }  // namespace frond

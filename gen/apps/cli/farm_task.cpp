@@ -10,7 +10,6 @@
 
 #include "cli/bar.h"
 #include "cli/commands.h"
-#include "cli/farm_folder.h"
 #include "cli/inputs.h"
 #include "cli/messages.h"
 #include "core/files.h"
@@ -18,6 +17,7 @@
 #include "core/parallel.h"
 #include "core/printable.h"
 #include "core/text.h"
+#include "farm/farm_folder.h"
 #include "jobs/jobs.h"
 #include "render/bands.h"
 #include "render/local_folder.h"

@@ -26,15 +26,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Reads a positive whole number off the front of a text; 0 where there is none.
-int read_number(std::string_view& text) {
-  int number = 0;
-  auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || number < 0) return 0;
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  return number;
-}
-
 /// What sets the size of a film to so many times what it is.
 Result<std::string> scaled_size(const Film& film, double scale) {
   constexpr double kMost = 16;
@@ -76,10 +67,10 @@ Result<std::optional<fs::path>> assets_folder(const std::optional<std::string>& 
 /// The size that `--size` asks for, as what sets it.
 Result<std::string> asked_size(const std::string& asked) {
   std::string_view rest = asked;
-  int width = read_number(rest);
+  int width = take_whole(rest);
   bool cross = !rest.empty() && rest.front() == 'x';
   if (cross) rest.remove_prefix(1);
-  int height = read_number(rest);
+  int height = take_whole(rest);
   if (!cross || width == 0 || height == 0 || !rest.empty())
     return Error{"--size", fmt::format("\"{}\" is no size; expected WIDTHxHEIGHT, as in 640x360", asked)};
   if (!kSides.holds(width) || !kSides.holds(height))
@@ -103,13 +94,6 @@ Result<fs::path> home() {
   return Error{path.string(), "holds no templates/frame.pov; set FROND_HOME to the folder of Frond"};
 }
 
-std::filesystem::path cache_folder() {
-  const char* cache = std::getenv("XDG_CACHE_HOME");
-  const char* user = std::getenv("HOME");
-  if (cache && *cache) return std::filesystem::path(cache) / "frond";
-  return std::filesystem::path(user ? user : "/") / ".cache" / "frond";
-}
-
 std::string render_command() {
   Result<fs::path> root = home();
   std::error_code error;
@@ -131,16 +115,6 @@ std::string nearest_presets(const std::string& path) {
     if (stems[i] == near && !is_grammar(files[i].string()))
       found += fmt::format("{}\"{}\"", found.empty() ? "" : " or ", fs::proximate(files[i]).string());
   return found.empty() ? "" : fmt::format("; did you mean {}?", found);
-}
-
-bool is_resolved(const Film& film, const std::optional<bool>& asked) {
-  return asked.value_or(film.quality == Quality::good && !film.sampled());
-}
-
-Errors refuse_resolving(const Film& film, const std::optional<bool>& asked) {
-  if (!asked.value_or(false) || !film.sampled()) return {};
-  return {{"--resolve", fmt::format("frames are not resolved {}; expected --no-resolve, or neither",
-                                    film.crop ? "in parts" : "with a transparent background")}};
 }
 
 Result<TracedFilm> traced_film(const Scene& scene, const std::filesystem::path& models) {
@@ -207,47 +181,6 @@ bool is_grammar(const std::string& path) {
   Result<std::string> text = read_file(path);
   if (!text ? !path.ends_with(".json") : grammar_kind(path, *text) != GrammarKind::preset) return true;
   return text && is_grammar_text(*text);
-}
-
-Result<Manifest> manifest_in(const fs::path& folder) {
-  fs::path file = folder / "manifest.json";
-  Result<std::string> text = read_file(file);
-  return text ? read_manifest(*text, file.string()) : text.errors();
-}
-
-Result<FrameRange> read_frames(const std::string& text, int count) {
-  std::string_view rest = text;
-  FrameRange range{};
-  range.first = range.last = read_number(rest);
-  if (!rest.empty() && rest.front() == '-') {
-    rest.remove_prefix(1);
-    range.last = read_number(rest);
-  }
-  bool written = rest.empty() && range.first >= 1 && range.last >= range.first;
-  if (written && range.last <= count) return range;
-  std::string there = count == 1
-                          ? "this preset is a still, which has frame 1 alone; expected 1, or a film, as "
-                            "by --seconds 4"
-                          : fmt::format("the film has frames 1-{}", count);
-  if (written) return Error{"--frames", fmt::format("found {}, but {}", text, there)};
-  return Error{"--frames",
-               fmt::format("\"{}\" is no range of frames; expected A-B, as in 1-{}, or one number; {}", text,
-                           std::max(count, 2), there)};
-}
-
-Result<FrameRange> read_frames(const std::optional<std::string>& text, int count, FrameRange usual) {
-  return text ? read_frames(*text, count) : usual;
-}
-
-Result<int> read_frame(int asked, int count) {
-  if (asked > count)
-    return Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", asked, count)};
-  return asked == 0 ? count : asked;
-}
-
-FrameRange drawn_frames(const Film& film, FrameRange wanted) {
-  int around = film.raw ? ResolveOptions{}.window : 0;
-  return {std::max(wanted.first - around, 1), std::min(wanted.last + around, film.frames)};
 }
 
 }  // namespace frond

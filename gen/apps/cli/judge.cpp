@@ -1,7 +1,6 @@
 #include "cli/judge.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <string_view>
 
@@ -109,28 +108,6 @@ void judge_command(const CLI::App& command) {
 void judge_options(CLI::App& app) {
   for (CLI::App* command : app.get_subcommands({}))
     command->parse_complete_callback([command] { judge_command(*command); });
-}
-
-Errors refuse_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::path there = fs::absolute(folder, error).lexically_normal();
-  if (!there.has_filename()) there = there.parent_path();
-  const fs::path asked = there;
-  while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
-  std::string wrong;
-  if (!fs::is_directory(there, error))
-    wrong = "is a file; expected a folder, or none";
-  else if (::access(there.c_str(), W_OK) != 0)
-    wrong = "cannot be written to";
-  if (wrong.empty()) return {};
-  if (there != asked) wrong = fmt::format("the folder cannot be made: {} {}", there.string(), wrong);
-  return {{folder.string(), wrong}};
-}
-
-Errors refuse_file(const fs::path& file) {
-  std::error_code error;
-  if (fs::is_directory(file, error)) return {{file.string(), "is a folder; expected a file, or none"}};
-  return refuse_folder(file.has_parent_path() ? file.parent_path() : fs::path("."));
 }
 
 Errors judge_render(const RenderArguments& a, const Film& film) {

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 
 #include "cli/commands.h"
 #include "core/result.h"
+#include "pipeline/out_folder.h"
 #include "settings/stage.h"
 
 // What is asked for is judged before anything is grown or rendered: options that do not go with each other,
@@ -15,10 +15,6 @@ namespace frond {
 /// Lets every command of the program judge its options once they are read: of two that do not go together,
 /// and of one that does nothing without another, CLI11 tells as of all wrong words.
 void judge_options(CLI::App& app);
-
-/// Why nothing could be written to a folder, or to a file: what stands in its way.
-Errors refuse_folder(const std::filesystem::path& folder);
-Errors refuse_file(const std::filesystem::path& file);
 
 /// What of a call of `frond render` does not fit the film of its preset.
 Errors judge_render(const RenderArguments& arguments, const Film& film);

@@ -16,6 +16,7 @@
 #include "cli/rendering.h"
 #include "cli/streams.h"
 #include "cli/words.h"
+#include "core/version.h"
 
 using namespace frond;
 
@@ -333,7 +334,7 @@ void add_studio(CLI::App& app, int& result) {
 int run(int count, char** words) {
   CLI::App app{"Grows plants and corals from JSON presets and writes scenes that POV-Ray films."};
   app.require_subcommand(0, 1);
-  app.set_version_flag("--version", FROND_VERSION);
+  app.set_version_flag("--version", version());
   app.footer(
       "FROND_HOME is the folder that holds templates/, povinc/, presets/ and scripts/, where that is not the "
       "one "

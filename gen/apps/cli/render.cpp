@@ -1,27 +1,24 @@
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <charconv>
 
 #include "cli/bar.h"
 #include "cli/commands.h"
 #include "cli/inputs.h"
 #include "cli/judge.h"
 #include "cli/messages.h"
-#include "cli/out_folder.h"
-#include "cli/pace.h"
-#include "cli/render_notes.h"
-#include "cli/render_run.h"
+#include "cli/render_why.h"
 #include "cli/rendering.h"
 #include "cli/streams.h"
+#include "cli/terminal_events.h"
 #include "core/files.h"
 #include "core/frame_name.h"
 #include "core/parallel.h"
 #include "jobs/jobs.h"
+#include "pipeline/frame_times.h"
+#include "pipeline/pace.h"
+#include "pipeline/render_film.h"
+#include "pipeline/run_lock.h"
 #include "preset/json.h"
 #include "render/place.h"
 
@@ -58,43 +55,6 @@ std::string wrong_words(const RenderArguments& a) {
     return fmt::format("--plot needs a name that ends in .svg, not '{}'", *a.plot);
   return {};
 }
-
-/// Holds the folder of a run as long as it lives; other runs wait. What this process starts holds it, too, so
-/// that a run whose parent was killed is over before the next begins.
-class RunLock {
- public:
-  explicit RunLock(const fs::path& out) {
-    std::error_code error;
-    fs::create_directories(out, error);
-    if (error) {
-      errors_ = {{"", out.string() + ": the folder cannot be made"}};
-      return;
-    }
-    fs::path path = out / ".lock";
-    errors_ = refuse_link(path);
-    if (!errors_.empty()) return;
-    file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW, 0666);
-    if (file_ < 0) {
-      errors_ = {{"", out.string() + ": cannot be written to"}};
-      return;
-    }
-    if (::flock(file_, LOCK_EX | LOCK_NB) == 0) return;
-    say(fmt::format("Another run is at work in {}; waiting for it", out.string()));
-    while (::flock(file_, LOCK_EX) != 0 && errno == EINTR) {
-    }
-  }
-  ~RunLock() {
-    if (file_ >= 0) ::close(file_);
-  }
-  RunLock(const RunLock&) = delete;
-  RunLock& operator=(const RunLock&) = delete;
-
-  const Errors& errors() const { return errors_; }
-
- private:
-  int file_ = -1;
-  Errors errors_;
-};
 
 /// The words that have a program write the frames.
 std::vector<std::string> generate_words(const RenderArguments& a, const fs::path& out) {
@@ -134,14 +94,6 @@ int write_scenes(const RenderArguments& a, const fs::path& out, const std::strin
   return fail_run({{"", fmt::format("frond ended with exit code {}", *status)}}, kCouldNot);
 }
 
-/// A program that is named by its path has one that holds in any folder.
-std::string program_variable(const char* name, const std::string& usual) {
-  std::string program = environment_or(name, usual);
-  std::error_code error;
-  if (program.find('/') != program.npos) program = fs::absolute(program, error).string();
-  return fmt::format("{}={}", name, program);
-}
-
 /// Whether what is asked for can be made of the preset: before anything is grown. The preset is read for this
 /// alone, and is no longer in memory while frames are rendered.
 int judge(const RenderArguments& a, const fs::path& out) {
@@ -151,19 +103,15 @@ int judge(const RenderArguments& a, const fs::path& out) {
   if (Errors errors = refuse_folder(out); !errors.empty()) return fail_run(errors, kCouldNot);
   if (Errors errors = a.plot ? refuse_file(*a.plot) : Errors{}; !errors.empty())
     return fail_run(errors, kCouldNot);
-  std::string ffmpeg = environment_or("FROND_FFMPEG", "ffmpeg");
-  if (preset->film.frames > 1 && a.why == 0 && !find_program(ffmpeg))
-    return fail_run({{"", ffmpeg + ": no such program; it is what makes films of frames"}}, kCouldNot);
-  return kDone;
+  Errors errors = RenderPrograms::usual().missing(preset->film.frames > 1 && a.why == 0);
+  return errors.empty() ? int{kDone} : fail_run(errors, kCouldNot);
 }
 
 int render_into(const RenderArguments& a, const fs::path& out) {
   Result<fs::path> root = home();
   if (!root) return fail_run(root.errors(), kCouldNot);
-  std::string povray = environment_or("FROND_POVRAY", "povray");
-  if (!find_program(povray))
-    return fail_run({{"", povray + ": no such program; it is what renders"}}, kCouldNot);
-  RunLock lock(out);
+  TerminalEvents events;
+  RunLock lock(out, events);
   if (!lock.errors().empty()) return fail_run(lock.errors(), kCouldNot);
   StopSignals stop;
   std::string before;
@@ -171,32 +119,27 @@ int render_into(const RenderArguments& a, const fs::path& out) {
     if (Result<std::string> scene = read_file(out / "frames" / (frame_name(a.why) + ".pov")))
       before = std::move(*scene);
   std::error_code error;
-  std::string home_folder = fs::absolute(*root, error).string();
-  measure_machine(povray);
-  if (int code = write_scenes(a, out, home_folder, stop); code != kDone) return code;
-  std::vector<std::string> environment{"FROND_HOME=" + home_folder,
-                                       program_variable("FROND_POVRAY", "povray"),
-                                       program_variable("FROND_FFMPEG", "ffmpeg")};
-  if (a.why > 0) return tell_why(Ninja(out, environment, stop), out, a.why, before);
-  RenderSettings settings;
-  settings.out = out;
-  settings.format = a.format;
-  settings.every = a.every;
-  settings.watch = a.watch;
-  settings.jobs = a.jobs > 0 ? a.jobs : thread_count();
-  settings.ffmpeg = environment_or("FROND_FFMPEG", "ffmpeg");
-  std::size_t noted = read_times(out).size();
-  RenderRun run(settings, environment, stop);
-  int code = run.run();
-  if (code == kInterrupted) return interrupted();
-  if (code != kDone) return code;
-  note_times(out, noted, run.manifest(), run.rendered(), a.preset.path);
+  RenderPrograms programs = RenderPrograms::usual();
+  measure_machine(programs.povray);
+  if (int code = write_scenes(a, out, fs::absolute(*root, error).string(), stop); code != kDone) return code;
+  if (a.why > 0) return tell_why(Ninja(out, programs.environment(*root), stop), out, a.why, before);
+  RenderSettings settings{.out = out,
+                          .format = a.format,
+                          .jobs = a.jobs > 0 ? a.jobs : thread_count(),
+                          .every = a.every,
+                          .watch = a.watch,
+                          .ffmpeg = programs.ffmpeg};
+  RenderedFilm made = render_written(settings, *root, a.preset.path, stop, events);
+  end_bar();
+  if (made.outcome.stopped) return interrupted();
+  if (!made.outcome.well()) return fail_run(made.outcome.errors, kCouldNot);
   if (a.plot) {
-    if (Errors errors = write_plot(out, run.manifest(), *a.plot); !errors.empty())
-      return fail_run(errors, kCouldNot);
+    Result<Manifest> manifest = manifest_in(out);
+    Errors errors = manifest ? write_plot(out, *manifest, *a.plot) : manifest.errors();
+    if (!errors.empty()) return fail_run(errors, kCouldNot);
     put(fs::absolute(*a.plot, error).lexically_normal().string() + "\n");
   }
-  for (const std::string& result : run.results()) put((out / result).string() + "\n");
+  for (const fs::path& result : made.results) put(result.string() + "\n");
   return kDone;
 }
 

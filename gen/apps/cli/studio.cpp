@@ -11,6 +11,7 @@
 #include "cli/inputs.h"
 #include "cli/streams.h"
 #include "core/files.h"
+#include "core/home.h"
 
 extern char** environ;
 

@@ -1,5 +1,6 @@
 #include "core/home.h"
 #include "core/parallel.h"
+#include "core/version.h"
 #include "python/python.h"
 
 namespace frond {
@@ -17,12 +18,13 @@ void raise(const Errors& errors) {
 
 PYBIND11_MODULE(_frond, module) {
   using namespace frond;
-  module.attr("__version__") = FROND_VERSION;
+  module.attr("__version__") = version();
   module.def("limit_threads", &limit_threads, py::arg("count"));
   module.def("set_home", &set_home_folder, py::arg("folder"));
   add_models(module);
   add_presets(module);
   add_grammars(module);
   add_cpfg_models(module);
+  add_renders(module);
   add_scenes(module);
 }

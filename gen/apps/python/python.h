@@ -81,5 +81,6 @@ void add_presets(py::module_& module);
 void add_scenes(py::module_& module);
 void add_grammars(py::module_& module);
 void add_cpfg_models(py::module_& module);
+void add_renders(py::module_& module);
 
 }  // namespace frond

@@ -15,8 +15,4 @@ Result<std::string> carried(const std::string& text, const std::filesystem::path
                             const std::filesystem::path& to,
                             const std::function<bool(const std::filesystem::path&)>& readable);
 
-/// The text of a preset of that folder with the files that it names by their whole paths, so that it reads
-/// the same in any folder. Nothing else of the text changes.
-Result<std::string> with_whole_paths(const std::string& text, const std::filesystem::path& folder);
-
 }  // namespace frond

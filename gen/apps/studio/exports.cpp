@@ -13,8 +13,8 @@
 #include "export/export_scene.h"
 #include "export/formats.h"
 #include "render/process.h"
+#include "scene/named_files.h"
 #include "studio/answers.h"
-#include "studio/carry.h"
 
 namespace frond {
 

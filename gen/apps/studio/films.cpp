@@ -1,25 +1,22 @@
 #include "studio/films.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <system_error>
 #include <thread>
 
 #include "core/files.h"
 #include "core/frame_name.h"
-#include "core/parallel.h"
-#include "core/printable.h"
 #include "core/text.h"
+#include "farm/hand_over.h"
 #include "jobs/jobs.h"
 #include "render/process.h"
+#include "scene/named_files.h"
 #include "studio/answers.h"
-#include "studio/carry.h"
+#include "studio/film_rendering.h"
 
 namespace frond {
 
@@ -29,11 +26,9 @@ namespace {
 
 constexpr const char* kOrder = "film.json";
 constexpr const char* kPreset = "preset.json";
-constexpr const char* kRun = "frond.log";
 constexpr int kMostFilms = 1000;
 constexpr int kMostFrames = 1'000'000'000;
 constexpr int kRoughWide = 240, kRoughFrames = 12;
-constexpr int kWell = 0;                                  // the exit code
 constexpr std::string_view kTransparent = "transparent";  // of what is told of a preset
 /// What browsers play that keeps opacity; a .mov is for programs that cut films.
 constexpr std::string_view kPlayedClear = "webm";
@@ -84,15 +79,15 @@ std::string film_in(const fs::path& folder) {
   return {};
 }
 
-/// What a run has said last.
-std::string last_line(const fs::path& log) {
-  Result<std::string> text = read_file(log);
-  std::string last;
-  if (text)
-    for (std::string& line : lines_of(*text))
-      if (!line.empty()) last = std::move(line);
-  return last;
-}
+/// Whether a film is paused.
+class Paused final : public Stop {
+ public:
+  explicit Paused(const std::atomic<bool>& stop) : stop_(stop) {}
+  bool asked() override { return stop_; }
+
+ private:
+  const std::atomic<bool>& stop_;
+};
 
 }  // namespace
 
@@ -105,8 +100,8 @@ struct Films::Job {
 
   // Guarded by Films::mutex_.
   std::string state = "paused", phase, message;
-  bool stop = false;
-  pid_t process = 0;
+  std::string said;  // last, by what renders it
+  std::atomic<bool> stop = false;
   std::thread thread;
 
   fs::path preset() const { return folder / kPreset; }
@@ -118,8 +113,7 @@ struct Films::Job {
   bool at_work() const { return state == "waiting" || state == "rendering"; }
 };
 
-Films::Films(const Documents& documents, fs::path home)
-    : documents_(documents), home_(std::move(home)), folder_(documents.folder() / "out/films") {
+Films::Films(const Documents& documents) : documents_(documents), folder_(documents.folder() / "out/films") {
   find_earlier();
 }
 
@@ -206,7 +200,7 @@ std::shared_ptr<Films::Job> Films::find(const std::string& id) {
 /// With mutex_ locked.
 void Films::start(const std::shared_ptr<Job>& job) {
   if (job->thread.joinable()) job->thread.join();  // it has ended
-  job->state = "waiting", job->phase.clear(), job->message.clear(), job->stop = false;
+  job->state = "waiting", job->phase.clear(), job->message.clear(), job->said.clear(), job->stop = false;
   try {
     job->thread = std::thread([this, job] { work(*job); });
   } catch (const std::system_error&) {
@@ -227,70 +221,55 @@ void Films::work(Job& job) {
 }
 
 void Films::make(Job& job) {
-  auto words = [&](const char* command, const char* into, std::vector<std::string> sets) {
-    std::vector<std::string> all{own_program().string(), command, job.preset().string(),
-                                 "--out=" + (job.folder / into).lexically_normal().string()};
-    for (const std::string& set : sets) all.insert(all.end(), {"--set", set});
-    return all;
-  };
   std::unique_lock lock(mutex_);
   turn_.wait(lock, [&] { return !busy_ || job.stop; });
-  int code = kWell;
+  std::string fault;
   if (!job.stop) {
     busy_ = true, job.state = "rendering";
-    std::error_code error;
-    auto step = [&](const char* phase, const std::vector<std::string>& run_words) {
-      if (code != kWell || job.stop) return;
+    FilmRendering rendering(job.preset(), job.stop, [&](std::string_view line) {
+      std::lock_guard held(mutex_);
+      job.said = line;
+    });
+    auto step = [&](const char* phase, const std::function<std::string()>& run) {
+      if (!fault.empty() || job.stop) return;
       job.phase = phase;
       lock.unlock();
-      code = run(job, run_words);
+      fault = run();
       lock.lock();
     };
-    std::string format = "--format=" + std::string(job.played());
-    if (job.order.rough && !fs::exists(job.folder / "rough" / film_file(job.played()), error)) {
-      std::vector<std::string> rough = words("render", "rough", job.rough_sets);
-      rough.push_back(format);
-      step("rough", rough);
-    }
-    std::vector<std::string> whole =
-        words(job.order.farm ? "farm" : "render", "", sets_of(job.order.size, job.order.quality));
-    if (!job.order.farm) whole.push_back("--watch");
-    if (!job.order.frames.empty()) whole.push_back("--frames=" + job.order.frames);
-    step("frames", whole);
-    if (code == kWell && job.played() == kPlayedClear && !job.order.farm) {
-      step("frames", {"ninja", "-C", job.folder.string(), film_file(kPlayedClear)});
-      code = kWell;  // the film itself is there; what cannot be played is told
+    std::vector<std::string> sets = sets_of(job.order.size, job.order.quality);
+    std::error_code error;
+    if (job.order.rough && !fs::exists(job.folder / "rough" / film_file(job.played()), error))
+      step("rough",
+           [&] { return rendering.render(job.folder / "rough", job.rough_sets, "", job.played(), false); });
+    if (job.order.farm) {
+      step("frames", [&] { return hand_to_farm(job, sets); });
+    } else {
+      step("frames", [&] { return rendering.render(job.folder, sets, job.order.frames, "", true); });
+      if (job.played() == kPlayedClear)  // the film itself is there then; what cannot be played is told
+        step("frames",
+             [&] { return rendering.render(job.folder, sets, job.order.frames, kPlayedClear, false), ""; });
     }
     busy_ = false;
   }
-  bool failed = code != kWell && !job.stop;
+  bool failed = !fault.empty() && !job.stop;
   job.state = job.stop ? "paused" : failed ? "failed" : job.order.farm ? "farm" : "done";
-  if (failed) job.message = last_line(job.folder / kRun);
+  if (failed) job.message = fault;
   turn_.notify_all();
 }
 
-int Films::run(Job& job, const std::vector<std::string>& words) {
-  int log = ::open((job.folder / kRun).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
-  Command command;
-  command.words = words;
-  command.environment = {"FROND_HOME=" + fs::absolute(home_).string(),
-                         fmt::format("FROND_THREADS={}", thread_count())};
-  command.out = command.err = log;
-  command.end_with = SIGTERM;
-  command.apart = true;
-  Result<pid_t> process = frond::start(command);
-  if (log >= 0) ::close(log);
-  {
-    std::lock_guard lock(mutex_);
-    if (!process) return job.message = process.errors().front().text(), 1;
-    job.process = *process;
-    if (job.stop) ::kill(*process, SIGTERM);
-  }
-  siginfo_t ended{};
-  ::waitid(P_PID, static_cast<id_t>(*process), &ended, WEXITED | WNOWAIT);
-  std::lock_guard lock(mutex_);  // nobody signals a process that is not there any more
-  job.process = 0;
-  return wait_for(*process);
+/// Hands the film over to Slurm; what is wrong where that cannot be.
+std::string Films::hand_to_farm(const Job& job, const std::vector<std::string>& sets) {
+  Result<std::string> text = read_file(job.preset());
+  Result<Preset> preset = text ? read_preset(*text, job.preset().string(), sets) : text.errors();
+  if (!preset) return preset.errors().front().text();
+  FarmOrder order{.file = job.preset(), .out = job.folder, .program = own_program()};
+  for (const std::string& set : sets) order.words.push_back("--set=" + set);
+  if (!job.order.frames.empty()) order.frames = job.order.frames;
+  Paused paused(job.stop);
+  RunEvents events;
+  RenderedFilm handed = hand_over(order, *preset, paused, events);
+  return handed.outcome.errors.empty() ? "" : handed.outcome.errors.front().text();
 }
 
 Json Films::told(const Job& job) const {
@@ -313,7 +292,7 @@ Json Films::told(const Job& job) const {
               {"state", job.state == "farm" && done_with ? "done" : job.state},
               {"phase", job.phase},
               {"message", job.message},
-              {"said", job.at_work() ? last_line(job.folder / kRun) : ""},
+              {"said", job.at_work() ? job.said : ""},
               {"done", std::min<std::size_t>(frames.size(), static_cast<std::size_t>(of))},
               {"of", of},
               {"there", frames},
@@ -343,13 +322,7 @@ bool Films::pause(const std::string& id) {
   std::shared_ptr<Job> job = find(id);
   if (!job) return false;
   if (job->at_work()) job->stop = true;
-  if (job->state == "farm") {
-    Command cancel;
-    cancel.words = {own_program().string(), "farm", job->preset().string(), "--out=" + job->folder.string(),
-                    "--cancel"};
-    if (Result<int> code = frond::run(cancel); code && *code == kWell) job->state = "paused";
-  }
-  if (job->process > 0) ::kill(job->process, SIGTERM);
+  if (job->state == "farm" && cancel_farm(farm_folder(job->folder)).empty()) job->state = "paused";
   turn_.notify_all();
   return true;
 }

@@ -21,12 +21,12 @@ struct FilmOrder {
   bool farm = false;                  ///< Slurm renders it, by `frond farm`
 };
 
-/// Films that `frond render` makes for the studio, one after the other. Each has a folder of its own that
+/// Films that are rendered for the studio, one after the other. Each has a folder of its own that
 /// stays, `out/films/NAME-1` in the folder of presets, with a copy of its preset: a film that is paused is
 /// gone on with by this studio or a later one. Where nothing can be written there, a temporary folder.
 class Films {
  public:
-  Films(const Documents& documents, std::filesystem::path home);
+  explicit Films(const Documents& documents);
   /// Pauses what is at work.
   ~Films();
   Films(const Films&) = delete;
@@ -55,12 +55,11 @@ class Films {
   void start(const std::shared_ptr<Job>& job);
   void work(Job& job);
   void make(Job& job);
-  /// Runs `frond` with these words and waits for its end; its exit code.
-  int run(Job& job, const std::vector<std::string>& words);
+  std::string hand_to_farm(const Job& job, const std::vector<std::string>& sets);
   Json told(const Job& job) const;
 
   const Documents& documents_;
-  std::filesystem::path home_, folder_;
+  std::filesystem::path folder_;
   std::mutex mutex_;              // guards the jobs
   std::condition_variable turn_;  // one renders at a time
   bool busy_ = false;

@@ -51,7 +51,7 @@ class Server {
         documents_(options),
         scenes_(documents_, options.memory, options.bake),
         renders_(documents_, scenes_, options.home),
-        films_(documents_, options.home) {}
+        films_(documents_) {}
 
   Errors serve() {
     if (page_files().empty())

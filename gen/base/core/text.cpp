@@ -70,6 +70,14 @@ int counting_number(std::string_view text) {
   return error == std::errc{} && end == text.data() + text.size() ? std::max(number, 0) : 0;
 }
 
+int take_whole(std::string_view& text) {
+  int number = 0;
+  auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || number < 0) return 0;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return number;
+}
+
 std::vector<std::string> split(std::string_view text, char separator) {
   std::vector<std::string> parts;
   while (!text.empty()) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -126,5 +127,7 @@ std::string manifest_text(const Manifest& manifest);
 
 /// Reads it again, without seed and quality.
 Result<Manifest> read_manifest(std::string_view text, const std::string& file_name);
+/// That of the film in a folder.
+Result<Manifest> manifest_in(const std::filesystem::path& folder);
 
 }  // namespace frond

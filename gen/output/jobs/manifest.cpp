@@ -1,3 +1,4 @@
+#include "core/files.h"
 #include "jobs/jobs.h"
 #include "preset/json.h"
 
@@ -65,6 +66,12 @@ Result<Manifest> read_manifest(std::string_view text, const std::string& file_na
     manifest.frames.push_back(frame);
   }
   return manifest;
+}
+
+Result<Manifest> manifest_in(const std::filesystem::path& folder) {
+  std::filesystem::path file = folder / "manifest.json";
+  Result<std::string> text = read_file(file);
+  return text ? read_manifest(*text, file.string()) : text.errors();
 }
 
 }  // namespace frond

@@ -20,7 +20,7 @@ constexpr int kIdle = 1000;  // milliseconds
 
 }  // namespace
 
-Ninja::Ninja(std::filesystem::path folder, std::vector<std::string> environment, StopSignals& stop)
+Ninja::Ninja(std::filesystem::path folder, std::vector<std::string> environment, Stop& stop)
     : folder_(std::move(folder)), environment_(std::move(environment)), stop_(stop) {}
 
 Result<Ninja::End> Ninja::make(const std::vector<std::string>& files, int jobs, const NinjaEvents& events) {

@@ -24,7 +24,7 @@ struct NinjaEvents {
 class Ninja {
  public:
   /// `environment` is what its commands are given; signals to this process show in `stop`.
-  Ninja(std::filesystem::path folder, std::vector<std::string> environment, StopSignals& stop);
+  Ninja(std::filesystem::path folder, std::vector<std::string> environment, Stop& stop);
 
   /// What came of a run.
   struct End {
@@ -52,7 +52,7 @@ class Ninja {
 
   std::filesystem::path folder_;
   std::vector<std::string> environment_;
-  StopSignals& stop_;
+  Stop& stop_;
   pid_t process_ = 0;
   std::string pending_;  // the description of a command that may yet turn out to have failed
   bool has_pending_ = false;

@@ -45,12 +45,22 @@ std::string environment_or(const char* name, const std::string& other);
 /// This program itself.
 std::filesystem::path own_program();
 
+/// Says that what runs is to stop.
+class Stop {
+ public:
+  virtual ~Stop() = default;
+  /// Whether we are to stop; asked at least once a second.
+  virtual bool asked() = 0;
+  /// Can be read from as soon as we are, for poll(); -1: there is none.
+  virtual int descriptor() const { return -1; }
+};
+
 /// As long as it lives, SIGTERM, SIGINT and SIGHUP do not end this process, but show here. One at a time, and
 /// before there are threads.
-class StopSignals {
+class StopSignals final : public Stop {
  public:
   StopSignals();
-  ~StopSignals();
+  ~StopSignals() override;
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;
 
@@ -65,11 +75,8 @@ class StopSignals {
   /// Waits for the end of any of them, of which there must be one; nothing as above.
   std::optional<Ended> wait_for_any();
 
-  /// Whether we are to stop.
-  bool asked();
-
-  /// Can be read from as soon as we are, for poll().
-  int descriptor() const { return file_; }
+  bool asked() override;
+  int descriptor() const override { return file_; }
 
  private:
   std::optional<Ended> wait(pid_t process);

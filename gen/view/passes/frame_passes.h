@@ -21,7 +21,7 @@ struct FramePasses {
   std::vector<float> coverage;  ///< share of rays that meet something
   std::vector<float> sun;       ///< share of rays that meet what the main light shines on
   /// Linear colours of surfaces without light; 0 where there is nothing. Empty: unknown here, see
-  /// app/albedo.h.
+  /// cli/albedo.h.
   std::vector<Vec3> albedo;
   std::vector<std::vector<std::pair<Thing, float>>> things;  ///< what rays meet, each with its share
 };

@@ -123,15 +123,11 @@ class Preset:
         part.write_text(_frond.pretty(self._read.text), encoding="utf-8")
         part.replace(target)
 
-    def words(self, folder: pathlib.Path) -> List[str]:
-        """How the program is told of it; without a file of its own it is written into the folder."""
+    def source(self) -> Tuple[Optional[str], str, Dict[str, Any], Optional[Path]]:
+        """What it was read from: its text, or None where that is in its file; the file; other values; the assets."""
         file = pathlib.Path(self._name)
-        if file.is_file() and file.read_text(encoding="utf-8") == self._source:
-            sets = [f"--set={pointer}={json.dumps(value)}" for pointer, value in self._values.items()]
-            return [os.fspath(file), *sets, *([f"--assets={os.fspath(self._assets)}"] if self._assets else [])]
-        folder.mkdir(parents=True, exist_ok=True)
-        self.save(folder / "preset.json")
-        return [os.fspath(folder / "preset.json")]
+        on_disk = file.is_file() and file.read_text(encoding="utf-8") == self._source
+        return None if on_disk else self._source, self._name, self._values, self._assets
 
 
 def read(path: Path, values: Optional[Mapping[str, Any]] = None, *, assets: Optional[Path] = None) -> Preset:

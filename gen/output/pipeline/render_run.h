@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "jobs/jobs.h"
+#include "pipeline/events.h"
+#include "pipeline/write_film.h"
 #include "render/frames_left.h"
 #include "render/ninja.h"
 #include "render/process.h"
@@ -15,7 +17,7 @@ namespace frond {
 
 /// How the frames of a folder are to be rendered.
 struct RenderSettings {
-  std::filesystem::path out;  ///< the folder that `frond generate` has written
+  std::filesystem::path out;  ///< the folder that write_film() has written
   std::string format;         ///< of the film; empty: the usual
   int jobs = 1;               ///< processors
   int every = 1;              ///< each K-th frame first, then those between
@@ -23,15 +25,13 @@ struct RenderSettings {
   std::string ffmpeg = "ffmpeg";
 };
 
-/// What `frond generate` has written is rendered and made a film, as far as it is not there yet, and people
-/// are told how far it is.
+/// What write_film() has written is rendered and made a film, as far as it is not there yet.
 class RenderRun {
  public:
   /// `environment`: what ninja's commands are given.
-  RenderRun(RenderSettings settings, std::vector<std::string> environment, StopSignals& stop);
+  RenderRun(RenderSettings settings, std::vector<std::string> environment, Stop& stop, RunEvents& events);
 
-  /// The exit code: kDone, kCouldNot or kInterrupted.
-  int run();
+  Outcome run();
 
   /// Of a run that was done: the files made, and how many frames were rendered for them.
   std::vector<std::string> results() const;
@@ -44,7 +44,7 @@ class RenderRun {
   void find_what_to_do();
   void begin();
   Errors render_every_kth();
-  int end();
+  Outcome end();
   Error lost_frames() const;
   /// Makes files. What cannot be made is noted in failed_.
   void make(const std::vector<std::string>& files);
@@ -56,7 +56,8 @@ class RenderRun {
   void idle();
 
   RenderSettings settings_;
-  StopSignals& stop_;
+  Stop& stop_;
+  RunEvents& events_;
   Ninja ninja_;
   std::vector<std::string> environment_;
   Manifest manifest_;
@@ -66,8 +67,7 @@ class RenderRun {
   std::vector<std::string> failed_;
   bool gave_up_ = false, interrupted_ = false, disk_full_ = false;
   int faults_ = 0;
-  double said_at_ = 0, pause_ = 10;  // seconds
-  int tenth_ = -1;
+  Errors errors_;
 };
 
 /// Seconds by a clock that only goes on.

@@ -1,4 +1,4 @@
-#include "cli/pace.h"
+#include "pipeline/pace.h"
 
 #include <fmt/format.h>
 #include <stdlib.h>
@@ -11,9 +11,9 @@
 #include <sstream>
 #include <vector>
 
-#include "cli/inputs.h"
 #include "core/content.h"
 #include "core/files.h"
+#include "core/home.h"
 #include "render/process.h"
 
 namespace frond {

@@ -1,4 +1,4 @@
-#include "cli/out_folder.h"
+#include "pipeline/out_folder.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -61,6 +61,28 @@ FolderInUse::~FolderInUse() {
 }
 
 bool FolderInUse::by_us_alone() { return file_ >= 0 && ::flock(file_, LOCK_EX | LOCK_NB) == 0; }
+
+Errors refuse_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::path there = fs::absolute(folder, error).lexically_normal();
+  if (!there.has_filename()) there = there.parent_path();
+  const fs::path asked = there;
+  while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
+  std::string wrong;
+  if (!fs::is_directory(there, error))
+    wrong = "is a file; expected a folder, or none";
+  else if (::access(there.c_str(), W_OK) != 0)
+    wrong = "cannot be written to";
+  if (wrong.empty()) return {};
+  if (there != asked) wrong = fmt::format("the folder cannot be made: {} {}", there.string(), wrong);
+  return {{folder.string(), wrong}};
+}
+
+Errors refuse_file(const fs::path& file) {
+  std::error_code error;
+  if (fs::is_directory(file, error)) return {{file.string(), "is a folder; expected a file, or none"}};
+  return refuse_folder(file.has_parent_path() ? file.parent_path() : fs::path("."));
+}
 
 Errors refuse_links(const fs::path& out) {
   Errors errors;

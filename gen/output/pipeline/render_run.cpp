@@ -1,4 +1,4 @@
-#include "cli/render_run.h"
+#include "pipeline/render_run.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,10 +8,6 @@
 #include <chrono>
 #include <set>
 
-#include "cli/bar.h"
-#include "cli/commands.h"
-#include "cli/inputs.h"
-#include "cli/messages.h"
 #include "core/files.h"
 #include "core/frame_name.h"
 #include "core/text.h"
@@ -47,9 +43,11 @@ double seconds_now() {
   return std::chrono::duration<double>(since).count();
 }
 
-RenderRun::RenderRun(RenderSettings settings, std::vector<std::string> environment, StopSignals& stop)
+RenderRun::RenderRun(RenderSettings settings, std::vector<std::string> environment, Stop& stop,
+                     RunEvents& events)
     : settings_(std::move(settings)),
       stop_(stop),
+      events_(events),
       ninja_(settings_.out, environment, stop),
       environment_(std::move(environment)) {}
 
@@ -58,12 +56,11 @@ std::vector<std::string> RenderRun::results() const {
   return {film_file(settings_.format), "contact.png"};
 }
 
-int RenderRun::run() {
-  if (Errors errors = prepare(); !errors.empty()) return fail_run(errors, kCouldNot);
+Outcome RenderRun::run() {
+  if (Errors errors = prepare(); !errors.empty()) return {std::move(errors)};
   begin();
-  if (Errors errors = render_every_kth(); !errors.empty()) return fail_run(errors, kCouldNot);
+  if (Errors errors = render_every_kth(); !errors.empty()) return {std::move(errors)};
   make(failed_.empty() ? results() : pictures_of(1));
-  end_bar();
   return end();
 }
 
@@ -112,19 +109,18 @@ void RenderRun::find_what_to_do() {
 void RenderRun::begin() {
   std::size_t all = static_cast<std::size_t>(all_frames());
   if (to_do_.empty())
-    say(fmt::format("Nothing to render: all {} frames are up to date.", all));
+    events_.report(fmt::format("Nothing to render: all {} frames are up to date.", all));
   else if (to_do_.size() < all)
-    say(fmt::format("Rendering {} of {} frames; the others are up to date.", to_do_.size(), all));
+    events_.report(fmt::format("Rendering {} of {} frames; the others are up to date.", to_do_.size(), all));
   else
-    say(fmt::format("Rendering {} frame{}.", all, all == 1 ? "" : "s"));
+    events_.report(fmt::format("Rendering {} frame{}.", all, all == 1 ? "" : "s"));
   fs::path scenes = settings_.out / "frames", drawn = settings_.out / manifest_.drawn_folder();
   left_.emplace(scenes, drawn, manifest_.size, to_do_, settings_.jobs, seconds_now());
   if (settings_.watch && !to_do_.empty()) {
     fs::path file = settings_.out / "watch.png";
     watched_.emplace(file, scenes, drawn, manifest_.size);
-    say("What is traced shows in " + file.string());
+    events_.report("What is traced shows in " + file.string());
   }
-  said_at_ = seconds_now();
   // Processors that no frame of their own keeps busy help with another.
   int frames = static_cast<int>(to_do_.size());
   int threads = frames > 0 && settings_.jobs > frames ? settings_.jobs / frames : 1;
@@ -139,7 +135,7 @@ void RenderRun::make(const std::vector<std::string>& files) {
                      [this](const std::string& line) { said(line); }, [this] { idle(); }};
   Result<Ninja::End> end = ninja_.make(files, settings_.jobs, events);
   if (!end) {
-    fail_run(end.errors(), kCouldNot);
+    errors_ = end.errors();
     gave_up_ = true;
     return;
   }
@@ -179,7 +175,7 @@ Errors RenderRun::render_every_kth() {
     job.title = "preview";
     job.ffmpeg = settings_.ffmpeg;
     if (Errors errors = encode_film(job); !errors.empty()) return errors;
-    say(fmt::format("One of {} frames is there, and a film of them: {}", step, job.film.string()));
+    events_.report(fmt::format("One of {} frames is there, and a film of them: {}", step, job.film.string()));
   }
   return {};
 }
@@ -207,14 +203,14 @@ Error RenderRun::lost_frames() const {
   return {"", fmt::format("not all of {} could be made; the frames that are finished are kept", out)};
 }
 
-int RenderRun::end() {
-  if (interrupted_ || stop_.asked()) return kInterrupted;
-  if (gave_up_ || !failed_.empty()) return fail_run({lost_frames()}, kCouldNot);
+Outcome RenderRun::end() {
+  if (interrupted_ || stop_.asked()) return {{}, false, true};
+  if (gave_up_ || !failed_.empty()) errors_.push_back(lost_frames());
+  if (!errors_.empty()) return {errors_};
   fs::path film = settings_.out / results()[0];
   int all = static_cast<int>(manifest_.frames.size());
   int held = manifest_.still ? all : frames_in(film, settings_.ffmpeg);
-  if (held != all)
-    return fail_run({{"", fmt::format("{} holds {} of {} frames", film.string(), held, all)}}, kCouldNot);
+  if (held != all) return {{{"", fmt::format("{} holds {} of {} frames", film.string(), held, all)}}};
   // Unfinished pictures that are no part of this film, and what killed runs have left.
   std::error_code error;
   for (const char* folder : {"frames", "raw"})
@@ -224,7 +220,7 @@ int RenderRun::end() {
   for (const char* name :
        {"preview.mp4", "watch.png", ".watch.png.part", ".film.gif.part.png", ".preview.mp4.part"})
     fs::remove(settings_.out / name, error);
-  return kDone;
+  return {};
 }
 
 void RenderRun::done(std::string_view what) {
@@ -241,15 +237,14 @@ void RenderRun::done(std::string_view what) {
     text += ", rendered in " + clock_text(left_->seconds_taken(now));
   else if (std::optional<double> left = left_->seconds_left(now))
     text += fmt::format(", about {} left", clock_text(*left));
-  constexpr int kFew = 200;
-  constexpr double kSeldom = 5;  // seconds
-  if (on_terminal()) {
-    draw_bar(there, all, text);
-  } else if (last || wanted <= kFew || now >= said_at_ + kSeldom) {
-    said_at_ = now;
-    say(text);
-  }
-  if (last && !manifest_.still) say("Encoding the film");
+  events_.rendered({.done = there,
+                    .all = all,
+                    .percent = left_->percent(),
+                    .whole = true,
+                    .last = last,
+                    .wanted = wanted,
+                    .words = text});
+  if (last && !manifest_.still) events_.report("Encoding the film");
 }
 
 void RenderRun::idle() {
@@ -264,15 +259,12 @@ void RenderRun::idle() {
   if (std::optional<double> left = left_->seconds_left(now))
     text += fmt::format(", about {} left", clock_text(*left));
   if (left_->reads()) text += ", reading the scene";
-  constexpr double kLongest = 60;
-  if (on_terminal()) {
-    draw_bar(percent, 100, text);
-  } else if ((wanted == 1 && percent / 10 > tenth_) || now >= said_at_ + pause_) {
-    tenth_ = percent / 10;
-    said_at_ = now;
-    if (pause_ < kLongest) pause_ *= 2;
-    say(text);
-  }
+  int all = all_frames();
+  events_.rendered({.done = all - wanted + left_->done(),
+                    .all = all,
+                    .percent = percent,
+                    .wanted = wanted,
+                    .words = text});
 }
 
 void RenderRun::said(std::string line) {
@@ -284,10 +276,10 @@ void RenderRun::said(std::string line) {
   }
   if (line.starts_with("error:")) ++faults_;
   if (faults_ == kMostFaults) {
-    say("What else fails is not shown.");
+    events_.report("What else fails is not shown.");
     ++faults_;
   }
-  if (faults_ < kMostFaults) say(line);
+  if (faults_ < kMostFaults) events_.report(line);
 }
 
 }  // namespace frond

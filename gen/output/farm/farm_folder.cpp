@@ -1,15 +1,15 @@
-#include "cli/farm_folder.h"
+#include "farm/farm_folder.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 
-#include "cli/inputs.h"
-#include "cli/out_folder.h"
 #include "core/content.h"
 #include "core/files.h"
+#include "core/home.h"
 #include "core/text.h"
+#include "pipeline/out_folder.h"
 
 namespace frond {
 
@@ -45,23 +45,22 @@ struct Copy {
 
 /// What is to be copied, sorted by its place.
 Result<std::vector<Copy>> copies_of(const fs::path& program, const std::vector<fs::path>& files) {
-  Result<fs::path> root = home();
-  if (!root) return root.errors();
+  const fs::path root = home_folder();
   std::vector<Copy> copies{{program, "tool/frond"}};
   for (const char* name : {"scripts/farm_task.sh", "scripts/povray.ini"})
-    copies.push_back({*root / name, fs::path("tool") / name});
+    copies.push_back({root / name, fs::path("tool") / name});
   std::error_code error;
   for (const char* folder : {"povinc", "templates"})
-    for (const fs::path& file : files_below(*root / folder))
+    for (const fs::path& file : files_below(root / folder))
       if (fs::is_regular_file(file, error))
-        copies.push_back({file, fs::path("tool") / file.lexically_relative(*root)});
+        copies.push_back({file, fs::path("tool") / file.lexically_relative(root)});
   for (const fs::path& file : files)
     copies.push_back({file, "files" / fs::absolute(file, error).lexically_normal().relative_path()});
   std::ranges::sort(copies, {}, [](const Copy& copy) { return copy.to.string(); });
   return copies;
 }
 
-Errors make_copies(const fs::path& folder, const std::vector<Copy>& copies, StopSignals& stop) {
+Errors make_copies(const fs::path& folder, const std::vector<Copy>& copies, Stop& stop) {
   for (const Copy& copy : copies) {
     std::error_code error;
     fs::create_directories((folder / copy.to).parent_path(), error);
@@ -152,7 +151,7 @@ Command generate_command(const fs::path& job, const FarmCall& call, const fs::pa
 }
 
 Result<fs::path> make_farm_folder(const fs::path& farm, const FarmCall& call, const fs::path& program,
-                                  const std::vector<fs::path>& files, StopSignals& stop) {
+                                  const std::vector<fs::path>& files, Stop& stop) {
   if (Errors link = refuse_link(farm); !link.empty()) return link;
   std::error_code error;
   fs::create_directories(farm, error);

@@ -40,7 +40,6 @@ Command generate_command(const std::filesystem::path& job, const FarmCall& call,
 /// ends it with an error.
 Result<std::filesystem::path> make_farm_folder(const std::filesystem::path& farm, const FarmCall& call,
                                                const std::filesystem::path& program,
-                                               const std::vector<std::filesystem::path>& files,
-                                               StopSignals& stop);
+                                               const std::vector<std::filesystem::path>& files, Stop& stop);
 
 }  // namespace frond

@@ -1,11 +1,10 @@
-#include "cli/farm_plan.h"
+#include "farm/farm_plan.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 
-#include "cli/inputs.h"
 #include "core/files.h"
 #include "core/frame_name.h"
 #include "jobs/jobs.h"

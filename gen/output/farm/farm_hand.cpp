@@ -1,4 +1,4 @@
-#include "cli/farm_hand.h"
+#include "farm/farm_hand.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -7,10 +7,6 @@
 
 #include <algorithm>
 
-#include "cli/bar.h"
-#include "cli/commands.h"
-#include "cli/messages.h"
-#include "cli/streams.h"
 #include "core/files.h"
 #include "jobs/escape.h"
 #include "jobs/farm.h"
@@ -81,24 +77,24 @@ std::vector<fs::path> results_of(const fs::path& farm) {
   return results;
 }
 
-int write_job_files(const Handed& film, const std::optional<std::string>& openjd,
-                    const std::optional<std::string>& opencue) {
+RenderedFilm write_job_files(const Handed& film, const std::optional<std::string>& openjd,
+                             const std::optional<std::string>& opencue) {
   FarmJob job = job_of(film);
+  RenderedFilm made;
   for (const auto& [file, text] : {std::pair(&openjd, &openjd_text), std::pair(&opencue, &opencue_text)}) {
     if (!*file) continue;
     if (Result<bool> written = write_file(**file, text(job, film.site)); !written)
-      return fail_run(written.errors(), kCouldNot);
-    put(**file + "\n");
+      return {{written.errors()}, {}};
+    made.results.emplace_back(**file);
   }
-  return kDone;
+  return made;
 }
 
-int render_on_hosts(const Handed& film, const std::string& hosts) {
-  say(fmt::format("Rendering {} on {}", film.plan.text(), commas_to(hosts, ", ")));
+RenderedFilm render_on_hosts(const Handed& film, const std::string& hosts, RunEvents& events) {
+  events.report(fmt::format("Rendering {} on {}", film.plan.text(), commas_to(hosts, ", ")));
   // Lines that parallel reads are commands of a shell, for which their words are quoted.
   fs::path list = film.job / "tasks";
-  if (Result<bool> written = write_file(list, task_lines(film)); !written)
-    return fail_run(written.errors(), kCouldNot);
+  if (Result<bool> written = write_file(list, task_lines(film)); !written) return {{written.errors()}, {}};
   Command command;
   command.words = {"parallel",
                    "-0",
@@ -115,18 +111,18 @@ int render_on_hosts(const Handed& film, const std::string& hosts) {
   Result<int> code = run(command);
   ::close(command.in);
   if (!code || *code != 0)
-    return fail_run({{"", "not all frames could be rendered; those that are finished are kept"}}, kCouldNot);
+    return {{{{"", "not all frames could be rendered; those that are finished are kept"}}}, {}};
   Command last;
   last.words = task_words(film, 0, {"film"});
   last.end_with = SIGTERM;
   code = run(last);
-  if (!code) return fail_run(code.errors(), kCouldNot);
-  if (*code != kDone) return *code;
-  for (const fs::path& result : results_of(film.farm)) put(result.string() + "\n");
-  return kDone;
+  if (!code) return {{code.errors()}, {}};
+  if (*code != 0) return {{{{"", film.job.string() + ": the film could not be made"}}}, {}};
+  return {{}, results_of(film.farm)};
 }
 
-int hand_to_slurm(const Handed& film, const std::optional<std::string>& partition) {
+RenderedFilm hand_to_slurm(const Handed& film, const std::optional<std::string>& partition,
+                           RunEvents& events) {
   std::vector<std::string> common = sbatch_words(job_of(film), film.site);
   if (partition) common.push_back("--partition=" + *partition);
   for (const char* word : {"--parsable", "--requeue", "--open-mode=append"}) common.emplace_back(word);
@@ -142,20 +138,20 @@ int hand_to_slurm(const Handed& film, const std::optional<std::string>& partitio
   if (!film.plan.tasks.empty()) {
     Result<std::string> job =
         submit({"--array=" + film.plan.tasks_text(), "--output=log/%A_%a.log"}, film.plan.work);
-    if (!job) return fail_run(job.errors(), kCouldNot);
+    if (!job) return {{job.errors()}, {}};
     array = *job;
-    if (Errors errors = note_jobs(film, array); !errors.empty()) return fail_run(errors, kCouldNot);
+    if (Errors errors = note_jobs(film, array); !errors.empty()) return {{errors}, {}};
     after = {"--dependency=afterok:" + array, "--kill-on-invalid-dep=yes"};
   }
   after.emplace_back("--output=log/film_%j.log");
   Result<std::string> last = submit(after, {"film"});
-  if (!last) return fail_run(last.errors(), kCouldNot);
+  if (!last) return {{last.errors()}, {}};
   if (Errors errors = note_jobs(film, array + (array.empty() ? "" : ",") + *last); !errors.empty())
-    return fail_run(errors, kCouldNot);
-  say(array.empty() ? "Nothing to render: all frames are there"
-                    : fmt::format("Submitted {} as job {}", film.plan.text(), array));
-  say(fmt::format("Submitted the film as job {}; see --status", *last));
-  return kDone;
+    return {{errors}, {}};
+  events.report(array.empty() ? "Nothing to render: all frames are there"
+                              : fmt::format("Submitted {} as job {}", film.plan.text(), array));
+  events.report(fmt::format("Submitted the film as job {}; see --status", *last));
+  return {};
 }
 
 }  // namespace frond

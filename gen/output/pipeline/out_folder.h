@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/inputs.h"
 #include "core/result.h"
+#include "pipeline/frame_range.h"
 
 namespace frond {
 
@@ -27,10 +27,13 @@ class FolderInUse {
   int file_ = -1;
 };
 
+/// Why nothing could be written to a folder, or to a file: what stands in its way.
+Errors refuse_folder(const std::filesystem::path& folder);
+Errors refuse_file(const std::filesystem::path& file);
+
 /// What is wrong with a folder of frames that links elsewhere. Most files there are put in their place whole,
 /// which leaves alone what a link points to; but ninja and the programs that it calls write to some by their
-/// names
-/// (.ninja_log, .times, lists), and all frames go through the folder `frames`: no link may stand there.
+/// names (.ninja_log, .times, lists), and all frames go through the folder `frames`: no link may stand there.
 Errors refuse_links(const std::filesystem::path& out);
 
 /// The same of one path that is to be written to.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "jobs/jobs.h"
-#include "render/ninja.h"
+#include "pipeline/events.h"
 
 namespace frond {
 
@@ -21,14 +21,10 @@ std::vector<FrameTime> read_times(const std::filesystem::path& out);
 /// After a run that has rendered so many frames: says what the slowest took, and notes the pace for what is
 /// estimated for the next of that preset. The times behind the first `before` are its own.
 void note_times(const std::filesystem::path& out, std::size_t before, const Manifest& manifest, int rendered,
-                const std::filesystem::path& preset);
+                const std::filesystem::path& preset, RunEvents& events);
 
 /// Draws nodes, bytes and seconds of the frames in a folder as an SVG.
 Errors write_plot(const std::filesystem::path& out, const Manifest& manifest,
                   const std::filesystem::path& file);
-
-/// Says why the next run in a folder would render a frame, or that it would not; `before` is the text that
-/// its scene had, or empty: then the first line that has changed is shown. Gives the exit code.
-int tell_why(const Ninja& ninja, const std::filesystem::path& out, int frame, const std::string& before);
 
 }  // namespace frond

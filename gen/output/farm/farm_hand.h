@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/farm_plan.h"
+#include "farm/farm_plan.h"
 #include "jobs/farm_site.h"
+#include "pipeline/render_film.h"
 
 namespace frond {
 
@@ -18,12 +19,13 @@ struct Handed {
   FarmPlan plan;
 };
 
-/// Each hands it out in one way; all return an ExitCode.
-int write_job_files(const Handed& film, const std::optional<std::string>& openjd,
-                    const std::optional<std::string>& opencue);
+/// Each hands it out in one way; the files that are there then.
+RenderedFilm write_job_files(const Handed& film, const std::optional<std::string>& openjd,
+                             const std::optional<std::string>& opencue);
 /// Waits for the film, by GNU parallel; names with commas between them.
-int render_on_hosts(const Handed& film, const std::string& hosts);
-int hand_to_slurm(const Handed& film, const std::optional<std::string>& partition);
+RenderedFilm render_on_hosts(const Handed& film, const std::string& hosts, RunEvents& events);
+RenderedFilm hand_to_slurm(const Handed& film, const std::optional<std::string>& partition,
+                           RunEvents& events);
 
 /// What lies in DIR of the film that was handed over last: film, sheet, still.
 std::vector<std::filesystem::path> results_of(const std::filesystem::path& farm);

@@ -1,4 +1,4 @@
-#include "cli/budgets.h"
+#include "pipeline/write_film.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "cli/inputs.h"
+#include "jobs/jobs.h"
 
 namespace frond {
 
@@ -17,11 +17,8 @@ constexpr double kShortestGrowth = 1e-4;         // seconds that growing it is t
 constexpr double kMostInternodes = 100'000'000;  // internodes of a budget
 
 /// How many internodes a tree of an entry grows in a second, alone and up to kMeasuredInternodes of them.
-Result<double> pace_of_growth(const PresetArguments& arguments, std::size_t entry,
-                              const std::string& pointer) {
-  PresetArguments measured = arguments;
-  measured.sets.push_back(set_of({pointer, 0, kMeasuredInternodes}));
-  Result<Preset> preset = load_preset(measured);
+Result<double> pace_of_growth(const ReadAgain& again, std::size_t entry, const std::string& pointer) {
+  Result<Preset> preset = again({set_of({pointer, 0, kMeasuredInternodes})});
   if (!preset) return preset.errors();
   Organism organism = preset->organisms[entry];
   organism.sown = Sowing{};
@@ -46,13 +43,8 @@ double seconds_of(const Value& organism) {
   return !seconds || (internodes && internodes->number > 0) ? 0 : seconds->number;
 }
 
-}  // namespace
-
-std::string set_of(const Manifest::Budget& budget) {
-  return fmt::format("{}/internodes={}", budget.pointer, budget.internodes);
-}
-
-Result<std::vector<Manifest::Budget>> counted_budgets(const PresetArguments& arguments, const Preset& preset,
+/// Counts those of a preset that have not been, see count_budgets().
+Result<std::vector<Manifest::Budget>> counted_budgets(const Preset& preset, const ReadAgain& again,
                                                       const std::filesystem::path& film) {
   std::vector<Manifest::Budget> counted;
   const Value* organisms = preset.written->find("organisms");
@@ -67,13 +59,37 @@ Result<std::vector<Manifest::Budget>> counted_budgets(const PresetArguments& arg
       if (same != before->budgets.end()) budget = *same;
     }
     if (budget.internodes == 0) {
-      Result<double> pace = pace_of_growth(arguments, i, budget.pointer);
+      Result<double> pace = pace_of_growth(again, i, budget.pointer);
       if (!pace) return pace.errors();
       budget.internodes = two_digits(seconds * *pace);
     }
     counted.push_back(budget);
   }
   return counted;
+}
+
+}  // namespace
+
+std::string set_of(const Manifest::Budget& budget) {
+  return fmt::format("{}/internodes={}", budget.pointer, budget.internodes);
+}
+
+Result<std::vector<Manifest::Budget>> count_budgets(Preset& preset, const ReadAgain& again,
+                                                    const std::filesystem::path& out, RunEvents& events) {
+  Result<std::vector<Manifest::Budget>> budgets = counted_budgets(preset, again, out);
+  if (!budgets || budgets->empty()) return budgets;
+  std::vector<std::string> sets;
+  for (const Manifest::Budget& budget : *budgets) {
+    events.note(fmt::format(
+        "note: {}: {:g} s are counted as {} internodes; \"internodes\": {} in the preset gives the "
+        "same trees in any folder",
+        budget.pointer, budget.seconds, budget.internodes, budget.internodes));
+    sets.push_back(set_of(budget));
+  }
+  Result<Preset> counted = again(sets);
+  if (!counted) return counted.errors();
+  preset = std::move(*counted);
+  return budgets;
 }
 
 }  // namespace frond

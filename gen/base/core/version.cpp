@@ -1,0 +1,7 @@
+#include "core/version.h"
+
+namespace frond {
+
+std::string version() { return FROND_VERSION; }
+
+}  // namespace frond
