@@ -16,8 +16,6 @@ import tempfile
 
 KIND = r'''
 #include "organisms/kinds.h"
-#include "preset/reader.h"
-#include "preset/schema.h"
 #include "rocks/stone.h"
 
 namespace frond {
@@ -26,8 +24,7 @@ struct ToyParams {
   double size = 0.4;  ///< metres
 };
 
-template <class Visitor>
-void describe(Visitor& v, ToyParams& p) {
+void describe(Properties& v, ToyParams& p) {
   v.number("size", p.size, {.min = 0.01, .max = 10, .unit = "m"}, "How large the toy is");
 }
 
@@ -61,8 +58,7 @@ struct Toyshop {
   double shelf = 0.5;  ///< metres
 };
 
-template <class Visitor>
-void describe(Visitor& v, Toyshop& t) {
+void describe(Properties& v, Toyshop& t) {
   v.number("shelf", t.shelf, {.min = 0, .max = 2, .unit = "m"}, "How high things stand");
 }
 

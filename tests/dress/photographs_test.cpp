@@ -7,6 +7,7 @@
 #include "core/files.h"
 #include "dress/describe.h"
 #include "images/leaf_photo.h"
+#include "preset/reader.h"
 
 namespace frond {
 namespace {

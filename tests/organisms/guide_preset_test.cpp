@@ -2,6 +2,7 @@
 
 #include "organisms/describe_grammar.h"
 #include "preset/json.h"
+#include "preset/reader.h"
 
 namespace frond {
 namespace {

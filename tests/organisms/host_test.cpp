@@ -15,10 +15,10 @@ namespace frond {
 
 /// One organism of a kind that is known already.
 struct OfKind {
-  const Kind<Organism>& kind;
+  const Kind<Organism>* kind = nullptr;
   Organism organism;
 };
-void describe(Reader& reader, OfKind& one) { one.kind.read(reader, one.organism); }
+void describe(Properties& v, OfKind& one) { one.kind->describe(v, one.organism); }
 
 namespace {
 
@@ -71,7 +71,7 @@ TEST(Kinds, EachAnswersWithItsDefaults) {
   for (const Kind<Organism>& kind : organism_kinds()) {
     Result<Document> document = parse_json("{}", "test.json");
     Reader reader(true);
-    OfKind one{kind, {}};
+    OfKind one{&kind, {}};
     reader.read_root(document->root, one);
     ASSERT_TRUE(one.organism.grower) << kind.name;
     one.organism.grower->check();

@@ -1,4 +1,5 @@
 #include "preset/judge.h"
+#include "preset/schema.h"
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/assets.h"
 #include "preset/json.h"
 #include "preset/reef.h"
 
@@ -23,8 +24,7 @@ struct Petal {
   double size = 1, swing = 0;
 };
 
-template <class Visitor>
-void describe(Visitor& v, Petal& p) {
+void describe(Properties& v, Petal& p) {
   v.aspect(Aspect::look);
   v.color("color", p.color, "");
   v.number("size", p.size, {}, "");
@@ -40,8 +40,7 @@ struct Flower {
   FileName file;
 };
 
-template <class Visitor>
-void describe(Visitor& v, Flower& f) {
+void describe(Properties& v, Flower& f) {
   v.integer("height", f.height, {}, "");
   v.object("sepal", f.sepal, "");
   v.list("petals", f.petals, "");

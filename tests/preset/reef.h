@@ -24,8 +24,7 @@ struct Film {
   Quality quality = Quality::good;
 };
 
-template <class Visitor>
-void describe(Visitor& v, Film& f) {
+inline void describe(Properties& v, Film& f) {
   v.integer("frames", f.frames, {.min = 1, .max = 100000}, "How many pictures");
   v.size("size", f.size, {.min = 16, .max = 16384, .unit = "pixels"}, "Width and height");
   v.choice("quality", f.quality, kQualities, "How long to calculate");
@@ -37,8 +36,7 @@ struct Wave {
   bool loop = true;
 };
 
-template <class Visitor>
-void describe(Visitor& v, Wave& w) {
+inline void describe(Properties& v, Wave& w) {
   v.number("speed", w.speed, {.min = 0, .max = 10}, "Swings a second");
   v.angle("amplitude", w.amplitude, {.min = 0, .max = 90}, "How far a tip leans");
   v.boolean("loop", w.loop, "");
@@ -49,8 +47,7 @@ struct Rule {
   std::optional<int> limit;
 };
 
-template <class Visitor>
-void describe(Visitor& v, Rule& r) {
+inline void describe(Properties& v, Rule& r) {
   v.shorthand("rule");
   v.text("rule", r.rule, "A production");
   v.required("rule");
@@ -65,8 +62,7 @@ struct Coral {
   double size = 1;
 };
 
-template <class Visitor>
-void describe(Visitor& v, Coral& c) {
+inline void describe(Properties& v, Coral& c) {
   v.list("rules", c.rules, "What grows");
   v.required("rules");
   v.pairs("constants", c.constants, "Names in the rules");
@@ -81,8 +77,7 @@ struct Rock {
   std::vector<double> weights;
 };
 
-template <class Visitor>
-void describe(Visitor& v, Rock& r) {
+inline void describe(Properties& v, Rock& r) {
   v.vector("size", r.size, {.min = 0.5, .max = 2}, "Radii");
   v.list("blobs", r.blobs, "Centers");
   v.list("weights", r.weights, {.min = 1, .max = 3}, "Of the blobs");
@@ -95,8 +90,7 @@ struct Organism {
   std::variant<std::monostate, Coral, Rock> params;
 };
 
-template <class Visitor>
-void describe(Visitor& v, Organism& o) {
+inline void describe(Properties& v, Organism& o) {
   v.text("name", o.name, "How messages call it");
   v.integer("count", o.count, {.min = 0}, "How many");
   v.object("wave", o.wave, "How it sways");
@@ -105,11 +99,7 @@ void describe(Visitor& v, Organism& o) {
 template <class Params>
 constexpr Kind<Organism> make_kind(std::string_view name, std::string_view doc) {
   return {name, doc,
-          [](Reader& reader, Organism& organism) { describe(reader, organism.params.emplace<Params>()); },
-          [](SchemaWriter& writer) {
-            Params params{};
-            describe(writer, params);
-          }};
+          [](Properties& v, Organism& organism) { describe(v, organism.params.emplace<Params>()); }};
 }
 
 inline constexpr Kind<Organism> kKinds[] = {make_kind<Coral>("coral", "Branches by rules"),
@@ -139,8 +129,7 @@ struct Preset {
   std::vector<Organism> organisms;
 };
 
-template <class Visitor>
-void describe(Visitor& v, Preset& p) {
+inline void describe(Properties& v, Preset& p) {
   v.text("title", p.title, "What it shows");
   v.required("title");
   v.integer("seed", p.seed, {}, "Another number, another picture");

@@ -8,6 +8,7 @@
 
 #include "organisms/kinds.h"
 #include "preset/json.h"
+#include "preset/schema.h"
 #include "scene/copies.h"
 #include "scene/scene.h"
 
@@ -194,7 +195,8 @@ std::optional<Value> another(const Value& schema, const Value* now) {
 
 Value schema_of(const Kind<Organism>& kind) {
   SchemaWriter writer;
-  kind.schema(writer);
+  Organism sample;
+  kind.describe(writer, sample);
   return writer.object_schema();
 }
 

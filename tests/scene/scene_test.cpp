@@ -9,6 +9,7 @@
 #include "core/parallel.h"
 #include "land/ground.h"
 #include "organisms/coral/coral.h"
+#include "preset/json.h"
 #include "settings/lawn.h"
 #include "settings/underwater.h"
 

@@ -7,6 +7,7 @@
 #include "grammar/picture.h"
 #include "grammar/review.h"
 #include "organisms/describe_grammar.h"
+#include "preset/reader.h"
 #include "try/engine/answers.h"
 
 // The functions of the grammar engine that the page calls. Grammars come as the JSON text of a grammar file;

@@ -13,10 +13,12 @@
 #include "draw/sizes.h"
 #include "estimate/estimate_cost.h"
 #include "grammar/symbols.h"
+#include "organisms/kinds.h"
 #include "pipeline/pace.h"
 #include "preset/json.h"
 #include "scene/describe.h"
 #include "scene/scene.h"
+#include "settings/settings.h"
 
 // What there is and how large it is: check, info, list, schema.
 

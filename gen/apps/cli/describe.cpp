@@ -10,10 +10,12 @@
 #include "cli/search.h"
 #include "cli/streams.h"
 #include "core/printable.h"
+#include "organisms/kinds.h"
 #include "preset/json.h"
 #include "preset/manual.h"
 #include "preset/synonyms.h"
 #include "scene/describe.h"
+#include "settings/settings.h"
 
 // The words of the schema in the terminal: describe.
 

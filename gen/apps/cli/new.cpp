@@ -9,9 +9,11 @@
 #include "cli/named.h"
 #include "cli/streams.h"
 #include "core/files.h"
+#include "organisms/kinds.h"
 #include "preset/json.h"
 #include "preset/manual.h"
 #include "scene/describe.h"
+#include "settings/settings.h"
 
 // A preset to begin with: new.
 

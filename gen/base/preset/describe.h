@@ -1,17 +1,25 @@
 #pragma once
 
+#include <iterator>
 #include <limits>
-#include <optional>
+#include <span>
+#include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
+#include <vector>
+
+#include "core/function_ref.h"
+#include "core/result.h"
+#include "preset/slot.h"
 
 namespace frond {
 
 // How a parameter struct is described
 // ===================================
-// One function template beside the struct is enough: it is used to read the struct from JSON (Reader) and to
-// print the schema (SchemaWriter), and so the documentation, and to make its keys (KeyWriter), by which what
-// is made from it is found again. The struct's initial values are the defaults.
+// One function beside the struct is enough: it is used to read the struct from JSON (Reader) and to print the
+// schema (SchemaWriter), and so the documentation, and to make its keys (KeyWriter), by which what is made
+// from it is found again. The struct's initial values are the defaults.
 //
 //     struct Wave {
 //       double speed = 1;
@@ -19,15 +27,14 @@ namespace frond {
 //       bool loop = true;
 //     };
 //
-//     template <class Visitor>
-//     void describe(Visitor& v, Wave& w) {
+//     void describe(Properties& v, Wave& w) {
 //       v.number("speed", w.speed, {.min = 0, .max = 10}, "Swings a second");
 //       v.angle("amplitude", w.amplitude, {.min = 0, .max = 90}, "How far a tip leans");
 //       v.boolean("loop", w.loop, "Whether the film can be repeated without a jump");
 //     }
 //
 // It is called with a new struct to fill, or with the defaults to print, and must do nothing else with them.
-// Names and docs are string literals. Every visitor has:
+// Names and docs are string literals. The properties are those of class Properties below:
 //
 //     number(name, x, range, doc)          double, float
 //     angle(name, x, range, doc)           the same; degrees in JSON and in the range, radians in the struct
@@ -57,17 +64,21 @@ namespace frond {
 //     required(name)                       that property must be given; after the line that reads it
 //     shorthand(name)                      first of all: a bare value in place of the object is read as this
 //                                          property of it, so "A -> B" as {"rule": "A -> B"}. Not for a Kind.
+//     leading(paths)                       of a Kind: the properties that shape it most, as paths
+//                                          ("habit/droop"), the most telling first; they stand in its part
+//                                          of the schema under "leading", an annotation
 //     aspect(aspect)                       what the properties after this line tell (Aspect, below); without
 //                                          it they tell what the object that holds them does, at first shape
 //     aspect(aspect, names...)             what these properties tell; after the lines that read them
 //     custom(name, x, read, schema, doc)   all else: `bool read(Reader&, const Value&, X&)` notes faults by
 //                                          Reader::fault and says whether x was read; `schema` is JSON text
+//     purpose()                            what all this is for, for the few that need to know
 //
 // Each that reads a property also takes a std::optional of its type, which stays empty where it is not given.
 // The doc says what a property is, range.unit in which unit; both stand in the schema.
 //
 // What of a value counts in its keys besides its properties, or is custom, is added by a function beside it:
-// `void describe_rest(KeyWriter&, X&)`.
+// `void describe_rest(KeyWriter&, X&)`. Both are declared where the struct is used as a property.
 
 /// The allowed numbers, ends included. The unit is for the documentation, the sense (meaning of single
 /// numbers) for error messages about values of another type.
@@ -110,18 +121,87 @@ struct Choice {
   std::string_view doc;
 };
 
-class Reader;
-class SchemaWriter;
 class KeyWriter;
+class Reader;
+struct FileName;
+struct NamedFile;
+struct Value;
+
+/// The table of an enum, whichever it is of.
+class ChoiceTable {
+ public:
+  template <class Table>
+  ChoiceTable(const Table& table) : rows_(std::data(table)), size_(std::size(table)) {
+    using Row = std::remove_cvref_t<decltype(*std::data(table))>;
+    using Enum = decltype(Row::value);
+    name_ = [](const void* rows, std::size_t i) { return static_cast<const Row*>(rows)[i].name; };
+    doc_ = [](const void* rows, std::size_t i) { return static_cast<const Row*>(rows)[i].doc; };
+    is_ = [](const void* rows, std::size_t i, const void* e) {
+      return static_cast<const Row*>(rows)[i].value == *static_cast<const Enum*>(e);
+    };
+    set_ = [](const void* rows, std::size_t i, void* e) {
+      *static_cast<Enum*>(e) = static_cast<const Row*>(rows)[i].value;
+    };
+  }
+
+  std::size_t size() const { return size_; }
+  std::string_view name(std::size_t i) const { return name_(rows_, i); }
+  std::string_view doc(std::size_t i) const { return doc_(rows_, i); }
+  /// Whether a value is that of the row.
+  bool is(std::size_t i, Slot e) const { return is_(rows_, i, e.at); }
+  void set(std::size_t i, Slot e) const { set_(rows_, i, e.at); }
+
+ private:
+  const void* rows_;
+  std::size_t size_;
+  std::string_view (*name_)(const void*, std::size_t);
+  std::string_view (*doc_)(const void*, std::size_t);
+  bool (*is_)(const void*, std::size_t, const void*);
+  void (*set_)(const void*, std::size_t, void*);
+};
 
 /// A row of the table of kinds of a T. `describe(v, T&)` gives the properties common to all kinds (it may be
-/// empty), the row those of its kind; no name may be in both. The name "kind" is reserved.
+/// empty), the row makes it one of its kind and gives those of that; no name may be in both. The name "kind"
+/// is reserved.
 template <class T>
 struct Kind {
   std::string_view name;
   std::string_view doc;
-  void (*read)(Reader&, T&);
-  void (*schema)(SchemaWriter&);
+  void (*describe)(Properties&, T&);
+};
+
+/// The table of kinds, of whatever they are.
+class KindTable {
+ public:
+  template <class Table>
+  KindTable(const Table& table) : rows_(std::data(table)), size_(std::size(table)) {
+    row_ = [](const void* rows, std::size_t i) {
+      return of(static_cast<decltype(std::data(table))>(rows)[i]);
+    };
+    describe_ = [](const void* rows, std::size_t i, Properties& v, void* one) {
+      describe_as(static_cast<decltype(std::data(table))>(rows)[i], v, one);
+    };
+  }
+
+  std::size_t size() const { return size_; }
+  std::string_view name(std::size_t i) const { return row_(rows_, i).first; }
+  std::string_view doc(std::size_t i) const { return row_(rows_, i).second; }
+  void describe(std::size_t i, Properties& v, Slot one) const { describe_(rows_, i, v, one.at); }
+
+ private:
+  template <class T>
+  static std::pair<std::string_view, std::string_view> of(const Kind<T>& kind) {
+    return {kind.name, kind.doc};
+  }
+  template <class T>
+  static void describe_as(const Kind<T>& kind, Properties& v, void* one) {
+    kind.describe(v, *static_cast<T*>(one));
+  }
+
+  const void* rows_;
+  std::size_t size_;
+  std::pair<std::string_view, std::string_view> (*row_)(const void*, std::size_t);
+  void (*describe_)(const void*, std::size_t, Properties&, void*);
 };
 
 /// The names of the three properties of a list with defaults: each element is merged with the object
@@ -134,16 +214,85 @@ struct Inheritance {
   std::string_view instead = "species";  ///< an element with this property may omit its kind
 };
 
-/// The type of a property: T itself, or the content type of the std::optional.
-template <class T>
-struct HeldType {
-  using type = T;
+/// What visits a described struct.
+enum class Purpose { reading, schema, keys };
+
+using LoadFile = FunctionRef<Errors(const NamedFile&)>;
+using ReadCustom = FunctionRef<void(Reader&, const Value&)>;
+
+/// A visitor of described structs, see the top of this file.
+class Properties {
+ public:
+  virtual ~Properties() = default;
+  virtual Purpose purpose() const = 0;
+
+  virtual void number(std::string_view name, RealSlot x, const Range& range, std::string_view doc) = 0;
+  virtual void angle(std::string_view name, RealSlot x, const Range& range, std::string_view doc) = 0;
+  virtual void integer(std::string_view name, IntegerSlot n, const Range& range, std::string_view doc) = 0;
+  virtual void boolean(std::string_view name, BooleanSlot b, std::string_view doc) = 0;
+  virtual void text(std::string_view name, TextSlot s, std::string_view doc) = 0;
+  virtual void file(std::string_view name, FileName& file, LoadFile load, std::string_view doc,
+                    bool needed = true) = 0;
+  template <class T, class Table>
+  void choice(std::string_view name, T& e, const Table& table, std::string_view doc) {
+    static_assert(std::is_same_v<Held<T>, decltype(std::data(table)->value)>);
+    choose(name, slot_of(e), table, doc);
+  }
+  virtual void vector(std::string_view name, VectorSlot v, const Range& range, std::string_view doc) = 0;
+  void vector(std::string_view name, VectorSlot v, std::string_view doc) { vector(name, v, Range{}, doc); }
+  virtual void direction(std::string_view name, VectorSlot v, Across across, std::string_view doc) = 0;
+  void direction(std::string_view name, VectorSlot v, std::string_view doc) {
+    direction(name, v, Across::all, doc);
+  }
+  virtual void size(std::string_view name, SizeSlot s, const Range& range, std::string_view doc) = 0;
+  virtual void color(std::string_view name, ColorSlot c, std::string_view doc) = 0;
+  virtual void curve(std::string_view name, CurveSlot c, std::string_view doc) = 0;
+  virtual void animated(std::string_view name, AnimatedSlot a, const Range& range, std::string_view doc) = 0;
+  void animated(std::string_view name, AnimatedSlot a, std::string_view doc) {
+    animated(name, a, Range{}, doc);
+  }
+  virtual void object(std::string_view name, ObjectSlot o, std::string_view doc) = 0;
+  virtual void list(std::string_view name, ListSlot l, const Count& count, std::string_view doc) = 0;
+  void list(std::string_view name, ListSlot l, std::string_view doc) { list(name, l, Count{}, doc); }
+  virtual void pairs(std::string_view name, PairsSlot p, std::string_view doc) = 0;
+  virtual void tagged(std::string_view name, ObjectSlot o, const KindTable& kinds, std::string_view doc) = 0;
+  virtual void tagged_list(std::string_view name, ListSlot l, const KindTable& kinds,
+                           std::string_view doc) = 0;
+  virtual void inheriting_list(const Inheritance& names, ListSlot l, const KindTable& kinds,
+                               std::string_view doc) = 0;
+  template <class T, class Read>
+  void custom(std::string_view name, T& out, const Read& read, std::string_view schema,
+              std::string_view doc) {
+    auto take = [&](Reader& reader, const Value& value) {
+      Held<T> held{};
+      if (read(reader, value, held)) out = std::move(held);
+    };
+    read_custom(name, slot_of(out), take, schema, doc);
+  }
+
+  virtual void origin(std::string& /*out*/, std::string_view /*name*/ = {}) {}
+  virtual void given(std::string_view /*name*/, bool& /*out*/) {}
+  virtual void required(std::string_view /*name*/) {}
+  virtual void shorthand(std::string_view /*name*/) {}
+  virtual void leading(std::span<const std::string_view> /*paths*/) {}
+  virtual void aspect(Aspect /*of_all_after*/) {}
+  template <class... Names>
+  void aspect(Aspect aspect, std::string_view name, Names... names) {
+    move_to(aspect, name), (move_to(aspect, names), ...);
+  }
+
+ protected:
+  virtual void choose(std::string_view name, Slot e, const ChoiceTable& table, std::string_view doc) = 0;
+  virtual void read_custom(std::string_view name, Slot x, ReadCustom read, std::string_view schema,
+                           std::string_view doc) = 0;
+  virtual void move_to(Aspect, std::string_view /*name*/) {}
 };
-template <class T>
-struct HeldType<std::optional<T>> {
-  using type = T;
-};
-template <class T>
-using Held = typename HeldType<T>::type;
+
+// For tables of described structs, where no visitor is to be known.
+
+/// Reads a described struct at that value; true if there was no fault.
+bool read_object(Reader& reader, const Value& value, ObjectSlot object);
+/// The schema of a described struct with its initial values, as JSON on one line.
+std::string schema_json(ObjectSlot object);
 
 }  // namespace frond

@@ -7,8 +7,8 @@
 
 namespace frond {
 
-template <class Visitor, class V>
-void describe(Visitor& v, SplinePoint<V>& p) {
+template <class V>
+void describe(Properties& v, SplinePoint<V>& p) {
   v.shorthand("at");
   v.vector("at", p.at, "Where the point is, in metres");
   v.required("at");

@@ -21,8 +21,8 @@ struct KeyShape {
   std::optional<T> in, out;
 };
 
-template <class Visitor, class T>
-void describe(Visitor& v, KeyShape<T>& s) {
+template <class T>
+void describe(Properties& v, KeyShape<T>& s) {
   v.shorthand("ease");
   v.choice("ease", s.ease, kEases,
            "How the way to the next key begins and ends; not given: as fast as at the keys beside it");

@@ -1,16 +1,11 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
-#include "core/assets.h"
-#include "core/curve.h"
-#include "core/vec.h"
 #include "preset/describe.h"
 
 namespace frond {
@@ -29,74 +24,61 @@ struct Keys {
 };
 
 /// The visitor that makes the keys of described structs (describe.h). Use keys_of() below.
-class KeyWriter {
+class KeyWriter : public Properties {
  public:
-  KeyWriter() = default;
   Keys keys() const;
 
   /// Adds a value that is no property of its own.
-  template <class T>
-  void add(std::string_view name, T& x) {
-    Entry entry;
-    entry.name = name;
-    append(entry.texts, x);
-    entries_.push_back(std::move(entry));
-  }
+  void add(std::string_view name, AnySlot x) { add_slot(name, x); }
 
   // The properties, see describe.h.
 
-#define FROND_ADDS(property, Limits)                                            \
-  template <class T>                                                            \
-  void property(std::string_view name, T& x, const Limits&, std::string_view) { \
-    add(name, x);                                                               \
-  }                                                                             \
-  template <class T, class... Rest>                                             \
-  void property(std::string_view name, T& x, const Rest&...) {                  \
-    add(name, x);                                                               \
+  Purpose purpose() const override { return Purpose::keys; }
+  void number(std::string_view name, RealSlot x, const Range&, std::string_view) override {
+    add_slot(name, x);
   }
-  FROND_ADDS(number, Range)
-  FROND_ADDS(angle, Range)
-  FROND_ADDS(integer, Range)
-  FROND_ADDS(boolean, Range)
-  FROND_ADDS(text, Range)
-  FROND_ADDS(vector, Range)
-  FROND_ADDS(direction, Across)
-  FROND_ADDS(size, Range)
-  FROND_ADDS(color, Range)
-  FROND_ADDS(curve, Range)
-  FROND_ADDS(animated, Range)
-  FROND_ADDS(object, Range)
-  FROND_ADDS(list, Count)
-  FROND_ADDS(pairs, Range)
-  FROND_ADDS(tagged, Range)
-  FROND_ADDS(tagged_list, Range)
-  FROND_ADDS(custom, Range)
-#undef FROND_ADDS
+  void angle(std::string_view name, RealSlot x, const Range&, std::string_view) override {
+    add_slot(name, x);
+  }
+  void integer(std::string_view name, IntegerSlot n, const Range&, std::string_view) override {
+    add_slot(name, n);
+  }
+  void boolean(std::string_view name, BooleanSlot b, std::string_view) override { add_slot(name, b); }
+  void text(std::string_view name, TextSlot s, std::string_view) override { add_slot(name, s); }
+  void file(std::string_view name, FileName& file, LoadFile, std::string_view, bool) override;
+  void vector(std::string_view name, VectorSlot v, const Range&, std::string_view) override {
+    add_slot(name, v);
+  }
+  void direction(std::string_view name, VectorSlot v, Across, std::string_view) override {
+    add_slot(name, v);
+  }
+  void size(std::string_view name, SizeSlot s, const Range&, std::string_view) override { add_slot(name, s); }
+  void color(std::string_view name, ColorSlot c, std::string_view) override { add_slot(name, c); }
+  void curve(std::string_view name, CurveSlot c, std::string_view) override { add_slot(name, c); }
+  void animated(std::string_view name, AnimatedSlot a, const Range&, std::string_view) override {
+    add_slot(name, a);
+  }
+  void object(std::string_view name, ObjectSlot o, std::string_view) override { add_slot(name, o); }
+  void list(std::string_view name, ListSlot l, const Count&, std::string_view) override { add_slot(name, l); }
+  void pairs(std::string_view name, PairsSlot p, std::string_view) override { add_slot(name, p); }
+  void tagged(std::string_view name, ObjectSlot o, const KindTable&, std::string_view) override {
+    add_slot(name, o);
+  }
+  void tagged_list(std::string_view name, ListSlot l, const KindTable&, std::string_view) override {
+    add_slot(name, l);
+  }
+  void inheriting_list(const Inheritance& names, ListSlot l, const KindTable&, std::string_view) override {
+    add_slot(names.list, l);
+  }
+  void aspect(Aspect of_all_after) override { own_ = of_all_after; }
 
-  template <class Load>
-  void file(std::string_view name, FileName& file, const Load&, std::string_view, bool = true) {
-    add(name, file.content.empty() ? file.name : file.content);
+ protected:
+  void choose(std::string_view name, Slot e, const ChoiceTable& table, std::string_view doc) override;
+  void read_custom(std::string_view name, Slot x, ReadCustom, std::string_view, std::string_view) override {
+    add_slot(name, x);
   }
-  template <class T, class Table>
-  void choice(std::string_view name, T& e, const Table& table, std::string_view) {
-    std::string_view chosen;
-    for (const auto& row : table)
-      if (e == row.value) chosen = row.name;
-    add(name, chosen);
-  }
-  template <class T, class Kinds>
-  void inheriting_list(const Inheritance& names, T& list, const Kinds&, std::string_view) {
-    add(names.list, list);
-  }
-  void origin(std::string&, std::string_view = {}) const {}
-  void given(std::string_view, bool&) const {}
-  void required(std::string_view) const {}
-  void shorthand(std::string_view) const {}
-  void aspect(Aspect aspect) { own_ = aspect; }
-  template <class... Names>
-  void aspect(Aspect aspect, Names... names) {
-    (move_to(aspect, names), ...);
-  }
+  /// The text of a name's value becomes part of an aspect.
+  void move_to(Aspect aspect, std::string_view name) override;
 
  private:
   using Texts = std::array<std::string, kAspects>;
@@ -105,73 +87,14 @@ class KeyWriter {
     Texts texts;  // of each aspect
   };
 
-  static void append_value(std::string& text, double x);
-  static void append_value(std::string& text, std::string_view s);
-  /// The text of a name's value becomes part of an aspect.
-  void move_to(Aspect aspect, std::string_view name);
+  void add_slot(std::string_view name, Slot x);
+  void append(Texts& texts, Slot x) const;
   /// Adds all that an object tells of each aspect.
   void append_to(Texts& texts) const;
-
-  template <class T>
-  void append(Texts& texts, T& x);
-  template <class T>
-  void append_object(Texts& texts, T& object) {
-    KeyWriter inner;
-    inner.own_ = own_;
-    constexpr bool has_properties = requires { describe(inner, object); };
-    constexpr bool has_rest = requires { describe_rest(inner, object); };
-    static_assert(has_properties || has_rest, "nothing says what of it counts");
-    if constexpr (has_properties) describe(inner, object);
-    if constexpr (has_rest) describe_rest(inner, object);
-    inner.append_to(texts);
-  }
 
   Aspect own_ = Aspect::shape;
   std::vector<Entry> entries_;
 };
-
-template <class T>
-void KeyWriter::append(Texts& texts, T& x) {
-  using Plain = std::remove_const_t<T>;
-  std::string& own = texts[static_cast<std::size_t>(own_)];
-  if constexpr (std::is_arithmetic_v<Plain>) {
-    append_value(own, static_cast<double>(x));
-  } else if constexpr (std::is_convertible_v<Plain, std::string_view>) {
-    append_value(own, x);
-  } else if constexpr (std::is_same_v<Plain, Keys>) {
-    texts[static_cast<std::size_t>(Aspect::shape)] += x.shape;
-    texts[static_cast<std::size_t>(Aspect::look)] += x.look;
-    texts[static_cast<std::size_t>(Aspect::motion)] += x.motion;
-  } else if constexpr (std::is_same_v<Plain, Color>) {
-    for (float part : {x.red, x.green, x.blue}) append(texts, part);
-  } else if constexpr (std::is_same_v<Plain, Curve>) {
-    for (const Vec2& point : x.points()) append(texts, point);
-  } else if constexpr (requires { x.keys(); }) {
-    for (const auto& key : x.keys()) {
-      append(texts, key.time), append(texts, key.value);
-      if (key.ease) append_value(own, "ease"), append_value(own, static_cast<double>(*key.ease));
-      if (key.in) append_value(own, "in"), append(texts, *key.in);
-      if (key.out) append_value(own, "out"), append(texts, *key.out);
-    }
-  } else if constexpr (requires { Plain::length(); }) {
-    for (int i = 0; i < Plain::length(); ++i) append(texts, x[i]);
-  } else if constexpr (requires {
-                         x.has_value();
-                         *x;
-                       }) {
-    if (x) append(texts, *x);
-  } else if constexpr (requires { x.first; }) {
-    append(texts, x.first), append(texts, x.second);
-  } else if constexpr (requires {
-                         x.size();
-                         x.begin();
-                       }) {
-    append_value(own, static_cast<double>(x.size()));  // lists of lists are told apart
-    for (auto& element : x) append(texts, element);
-  } else {
-    append_object(texts, x);
-  }
-}
 
 /// The keys of described values together.
 template <class... T>

@@ -5,6 +5,9 @@
 #include <charconv>
 #include <string_view>
 
+#include "preset/fault.h"
+#include "preset/reader.h"
+
 namespace frond {
 namespace {
 

@@ -3,11 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "preset/fault.h"
-#include "preset/reader.h"
+#include "core/result.h"
 #include "preset/value.h"
 
 namespace frond {
+
+class Reader;
 
 /// Named lists of colours at the top of a preset: {"palettes": {"autumn": ["#c8641e", "goldenrod"]}}.
 struct Palettes {

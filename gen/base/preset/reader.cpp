@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/assets.h"
+
 namespace frond {
 
 const Value* Reader::take(std::string_view name) {
@@ -44,14 +46,14 @@ void Reader::note_faults(const Value& value, const NamedFile& file, const Errors
                  error.where.empty() ? Error{file.path.string(), error.what}.text() : error.text()});
 }
 
-void Reader::origin(std::string& out, std::string_view name) const {
+void Reader::origin(std::string& out, std::string_view name) {
   const Value& object = *frames_.back().value;
   const Value* member = name.empty() ? &object : object.find(name);
   std::string pointer = name.empty() ? pointer_ : pointer_step(pointer_, name);
   out = Fault{(member ? member : &object)->origin, std::move(pointer), ""}.error().where;
 }
 
-void Reader::given(std::string_view name, bool& out) const {
+void Reader::given(std::string_view name, bool& out) {
   const Value* member = frames_.back().value->find(name);
   out = member && !member->inherited;
 }

@@ -5,25 +5,20 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
-#include "core/assets.h"
-#include "core/content.h"
-#include "core/curve.h"
-#include "core/vec.h"
 #include "preset/describe.h"
 #include "preset/fault.h"
 #include "preset/json.h"
-#include "preset/merge.h"
-#include "preset/schema.h"
 
 namespace frond {
 
+class Assets;
+
 /// The visitor that reads described structs (describe.h) from JSON values. All errors are collected; a member
 /// with an error keeps its old value. Use read_preset() below.
-class Reader {
+class Reader : public Properties {
  public:
   /// With `partial`, missing properties are allowed: the values read are defaults for another object.
   explicit Reader(bool partial = false) : partial_(partial) {}
@@ -36,153 +31,42 @@ class Reader {
   const Faults& doubts() const { return doubts_; }
 
   /// Reads a whole document; "$schema" is allowed there.
-  template <class T>
-  void read_root(const Value& root, T& out) {
-    pointer_.clear();
-    with_object(root, [&] {
-      std::string schema;
-      text("$schema", schema, "");
-      describe(*this, out);
-    });
-  }
+  void read_root(const Value& root, ObjectSlot out);
 
   // The properties, see describe.h.
 
-  template <class T>
-  void number(std::string_view name, T& out, const Range& range, std::string_view) {
-    static_assert(std::is_floating_point_v<Held<T>>);
-    member(name, [&](const Value& v) { return keep(out, real_at<Held<T>>(v, range)); });
-  }
-  template <class T>
-  void angle(std::string_view name, T& out, const Range& range, std::string_view) {
-    static_assert(std::is_floating_point_v<Held<T>>);
-    member(name, [&](const Value& v) {
-      auto degrees = number_at(v, in_degrees(within<Held<T>>(range)));
-      if constexpr (std::is_same_v<T, Held<T>>)
-        if (degrees) doubt_radians(v, *degrees, frond::degrees(static_cast<double>(out)));
-      return keep(out, degrees ? std::optional(static_cast<Held<T>>(radians(*degrees))) : std::nullopt);
-    });
-  }
-  template <class T>
-  void integer(std::string_view name, T& out, const Range& range, std::string_view) {
-    member(name, [&](const Value& v) { return keep(out, integer_at<Held<T>>(v, range)); });
-  }
-  template <class T>
-  void boolean(std::string_view name, T& out, std::string_view) {
-    member(name, [&](const Value& v) { return keep(out, boolean_at(v)); });
-  }
-  template <class T>
-  void text(std::string_view name, T& out, std::string_view) {
-    member(name, [&](const Value& v) { return keep(out, text_at(v)); });
-  }
-  template <class Load>
-  void file(std::string_view name, FileName& out, const Load& load, std::string_view, bool needed = true) {
-    member(name, [&](const Value& v) {
-      out.content.clear();
-      if (!keep(out.name, text_at(v)) || !assets_ || !needed) return;
-      std::optional<NamedFile> found = file_at(v);
-      if (!found) return;
-      out.content = content_id(found->text);
-      note_faults(v, *found, load(*found));
-    });
-  }
-  template <class T, class Table>
-  void choice(std::string_view name, T& out, const Table& table, std::string_view) {
-    member(name, [&](const Value& v) {
-      std::vector<std::string_view> names;
-      for (const auto& row : table) names.push_back(row.name);
-      std::optional<std::size_t> which = name_at(v, names);
-      if (which) out = std::data(table)[*which].value;
-    });
-  }
-  template <class T>
-  void vector(std::string_view name, T& out, const Range& range, std::string_view) {
-    member(name, [&](const Value& v) { return keep(out, vector_at<Held<T>>(v, range)); });
-  }
-  template <class T>
-  void vector(std::string_view name, T& out, std::string_view doc) {
-    vector(name, out, Range{}, doc);
-  }
-  template <class T>
-  void direction(std::string_view name, T& out, Across across, std::string_view) {
-    member(name, [&](const Value& v) {
-      auto read = vector_at<Held<T>>(v, kDirections);
-      return read && has_length(v, DVec3(*read), across) && keep(out, read);
-    });
-  }
-  template <class T>
-  void direction(std::string_view name, T& out, std::string_view doc) {
-    direction(name, out, Across::all, doc);
-  }
-  template <class T>
-  void size(std::string_view name, T& out, const Range& range, std::string_view) {
-    member(name, [&](const Value& v) { return keep(out, size_at(v, range)); });
-  }
-  template <class T>
-  void color(std::string_view name, T& out, std::string_view) {
-    member(name, [&](const Value& v) { return keep(out, color_at(v)); });
-  }
-  template <class T>
-  void curve(std::string_view name, T& out, std::string_view) {
-    member(name, [&](const Value& v) { return keep(out, curve_at(v)); });
-  }
-  template <class T>
-  void animated(std::string_view name, T& out, const Range& range, std::string_view) {
-    member(name, [&](const Value& v) { return keep(out, animated_at(v, range, Held<T>{})); });
-  }
-  template <class T>
-  void animated(std::string_view name, T& out, std::string_view doc) {
-    animated(name, out, Range{}, doc);
-  }
-  template <class T>
-  void object(std::string_view name, T& out, std::string_view) {
-    member(name, [&](const Value& v) { object_at(v, hold(out)); });
-  }
-  template <class T>
-  void list(std::string_view name, T& out, const Count& count, std::string_view) {
-    member(name, [&](const Value& v) {
-      list_at(v, hold(out), count,
-              [&](const Value& item, auto& element) { return element_at(item, element); });
-    });
-  }
-  template <class T>
-  void list(std::string_view name, T& out, std::string_view doc) {
-    list(name, out, Count{}, doc);
-  }
-  template <class T>
-  void pairs(std::string_view name, T& out, std::string_view) {
-    member(name, [&](const Value& v) { return keep(out, pairs_at(v)); });
-  }
-  template <class T, class Kinds>
-  void tagged(std::string_view name, T& out, const Kinds& kinds, std::string_view) {
-    member(name, [&](const Value& v) { tagged_at(v, hold(out), kinds); });
-  }
-  template <class T, class Kinds>
-  void tagged_list(std::string_view name, T& out, const Kinds& kinds, std::string_view) {
-    member(name, [&](const Value& v) {
-      list_at(v, hold(out), {},
-              [&](const Value& item, auto& element) { return tagged_at(item, element, kinds); });
-    });
-  }
-  template <class T, class Kinds>
-  void inheriting_list(const Inheritance& names, std::vector<T>& out, const Kinds& kinds,
-                       std::string_view doc);
-
-  template <class T, class Read>
-  void custom(std::string_view name, T& out, Read read, std::string_view /*schema*/, std::string_view) {
-    member(name, [&](const Value& v) {
-      Held<T> held{};
-      if (read(*this, v, held)) out = std::move(held);
-    });
-  }
+  using Properties::animated;
+  using Properties::direction;
+  using Properties::list;
+  using Properties::vector;
+  Purpose purpose() const override { return Purpose::reading; }
+  void number(std::string_view name, RealSlot out, const Range& range, std::string_view doc) override;
+  void angle(std::string_view name, RealSlot out, const Range& range, std::string_view doc) override;
+  void integer(std::string_view name, IntegerSlot out, const Range& range, std::string_view doc) override;
+  void boolean(std::string_view name, BooleanSlot out, std::string_view doc) override;
+  void text(std::string_view name, TextSlot out, std::string_view doc) override;
+  void file(std::string_view name, FileName& out, LoadFile load, std::string_view doc,
+            bool needed = true) override;
+  void vector(std::string_view name, VectorSlot out, const Range& range, std::string_view doc) override;
+  void direction(std::string_view name, VectorSlot out, Across across, std::string_view doc) override;
+  void size(std::string_view name, SizeSlot out, const Range& range, std::string_view doc) override;
+  void color(std::string_view name, ColorSlot out, std::string_view doc) override;
+  void curve(std::string_view name, CurveSlot out, std::string_view doc) override;
+  void animated(std::string_view name, AnimatedSlot out, const Range& range, std::string_view doc) override;
+  void object(std::string_view name, ObjectSlot out, std::string_view doc) override;
+  void list(std::string_view name, ListSlot out, const Count& count, std::string_view doc) override;
+  void pairs(std::string_view name, PairsSlot out, std::string_view doc) override;
+  void tagged(std::string_view name, ObjectSlot out, const KindTable& kinds, std::string_view doc) override;
+  void tagged_list(std::string_view name, ListSlot out, const KindTable& kinds,
+                   std::string_view doc) override;
+  void inheriting_list(const Inheritance& names, ListSlot out, const KindTable& kinds,
+                       std::string_view doc) override;
   /// Position of the object being read, or of that property of it, as in messages.
-  void origin(std::string& out, std::string_view name = {}) const;
+  void origin(std::string& out, std::string_view name = {}) override;
   /// Whether the object itself gives the property, not the defaults behind it.
-  void given(std::string_view name, bool& out) const;
-  void required(std::string_view name);
-  void shorthand(std::string_view name);
-  template <class... Names>
-  void aspect(Aspect, Names...) const {}
+  void given(std::string_view name, bool& out) override;
+  void required(std::string_view name) override;
+  void shorthand(std::string_view name) override;
 
   // For custom properties: building blocks of the above. Each notes its errors.
 
@@ -213,34 +97,19 @@ class Reader {
   std::optional<Animated<double>> animated_at(const Value& value, const Range& range,
                                               const Animated<double>&);
   std::optional<Animated<Vec3>> animated_at(const Value& value, const Range& range, const Animated<Vec3>&);
-
-  template <class T>
-  std::optional<T> real_at(const Value& value, const Range& range) {
-    auto x = number_at(value, within<T>(range));
-    return x ? std::optional(static_cast<T>(*x)) : std::nullopt;
-  }
-  template <class T>
-  std::optional<T> integer_at(const Value& value, const Range& range) {
-    static_assert(std::is_integral_v<T> && !std::is_same_v<T, bool>);
-    auto x = whole_at(value, within<T>(range));
-    return x ? std::optional(static_cast<T>(*x)) : std::nullopt;
-  }
   /// A vector of two or three numbers, float or double.
   template <class V>
   std::optional<V> vector_at(const Value& value, const Range& range) {
-    std::array<double, V::length()> numbers;
-    if (!numbers_at(value, within<typename V::value_type>(range), numbers)) return std::nullopt;
     V vector;
-    for (int i = 0; i < V::length(); ++i) vector[i] = static_cast<typename V::value_type>(numbers[i]);
-    return vector;
+    return vector_at(value, range, slot_of(vector)) ? std::optional(vector) : std::nullopt;
   }
   /// A described struct; true if there was no error.
-  template <class T>
-  bool object_at(const Value& value, T& out) {
-    return with_object(value, [&] { describe(*this, out); });
-  }
-  template <class T, class Kinds>
-  bool tagged_at(const Value& value, T& out, const Kinds& kinds);
+  bool object_at(const Value& value, ObjectSlot out);
+
+ protected:
+  void choose(std::string_view name, Slot out, const ChoiceTable& table, std::string_view doc) override;
+  void read_custom(std::string_view name, Slot out, ReadCustom read, std::string_view schema,
+                   std::string_view doc) override;
 
  private:
   struct Frame {
@@ -249,12 +118,6 @@ class Reader {
     std::string_view bare = {};
   };
 
-  template <class T>
-  static Range within(Range range);
-  static Range in_degrees(Range range) {
-    if (range.unit.empty()) range.unit = "degrees";
-    return range;
-  }
   /// Notes an angle that looks like radians (`usual` in radians) where degrees are expected.
   void doubt_radians(const Value& value, double found, double usual);
   /// Notes a direction without length.
@@ -264,6 +127,14 @@ class Reader {
   void note_faults(const Value& value, const NamedFile& file, const Errors& errors);
   std::optional<double> whole_at(const Value& value, const Range& range);
   bool numbers_at(const Value& value, const Range& range, std::span<double> out);
+  /// Each reads what a slot holds; false, and the slot as it was, where that is not there.
+  bool real_at(const Value& value, const Range& range, Slot out);
+  bool integer_at(const Value& value, const Range& range, Slot out);
+  bool vector_at(const Value& value, const Range& range, Slot out);
+  bool element_at(const Value& value, Slot out);
+  bool struct_at(const Value& value, Slot out);
+  bool tagged_at(const Value& value, Slot out, const KindTable& kinds);
+  void list_at(const Value& value, Slot out, const Count& count, FunctionRef<void(const Value&, Slot)> read);
   template <class T, class Read>
   std::optional<Animated<T>> keys_at(const Value& value, bool constant, Read read);
 
@@ -271,46 +142,11 @@ class Reader {
   const Value* take(std::string_view name);
   void enter(const Value& value) { frames_.push_back(Frame{&value}); }
   void leave();
-
-  template <class Read>
-  void member(std::string_view name, Read read) {
-    const Value* value = take(name);
-    if (!value) return;
-    if (value == frames_.back().value) {
-      read(*value);
-    } else {
-      inside(name, [&] { read(*value); });
-    }
-  }
-  template <class Read>
-  bool with_object(const Value& value, Read read) {
-    std::size_t before = faults_.list().size();
-    enter(value);
-    read();
-    leave();
-    return faults_.list().size() == before;
-  }
-  template <class T, class Read>
-  void list_at(const Value& value, std::vector<T>& out, const Count& count, Read read);
-  template <class T>
-  bool element_at(const Value& value, T& out);
+  void member(std::string_view name, FunctionRef<void(const Value&)> read);
+  bool with_object(const Value& value, FunctionRef<void()> read);
   bool check_list(const Value& value, const Count& count);
   /// Whether the path ("wave/amplitude") names a property of the schema of an object.
   bool check_path(const Value& value, std::string_view path, const Value& schema);
-
-  template <class T, class Read>
-  static bool keep(T& out, std::optional<Read> read) {
-    if (read) out = std::move(*read);
-    return read.has_value();
-  }
-  template <class T>
-  static T& hold(T& out) {
-    return out;
-  }
-  template <class T>
-  static T& hold(std::optional<T>& out) {
-    return out ? *out : out.emplace();
-  }
 
   bool partial_;
   std::string pointer_;
@@ -319,19 +155,18 @@ class Reader {
   const Assets* assets_ = nullptr;
 };
 
-/// Reads a document into a described struct, or returns everything that is wrong with it. Warnings go to
+/// Reads a document into a described struct and returns everything that is wrong with it. Warnings go to
 /// `doubts`. Named files are read from `assets`.
+Errors read_document(const Document& document, ObjectSlot out, Faults* doubts = nullptr,
+                     const Assets* assets = nullptr);
+
+/// The same, as a new struct.
 template <class T>
 Result<T> read_preset(const Document& document, Faults* doubts = nullptr, const Assets* assets = nullptr) {
   T preset{};
-  Reader reader;
-  if (assets) reader.read_files(*assets);
-  reader.read_root(document.root, preset);
-  if (doubts) *doubts = reader.doubts();
-  if (reader.faults().list().empty()) return preset;
-  return reader.faults().errors();
+  Errors errors = read_document(document, preset, doubts, assets);
+  if (errors.empty()) return preset;
+  return errors;
 }
 
 }  // namespace frond
-
-#include "preset/reader_parts.h"

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "preset/css_color.h"
+#include "preset/eases.h"
 #include "preset/range_text.h"
 #include "preset/reader.h"
 
@@ -85,10 +86,10 @@ std::optional<std::array<int, 2>> Reader::size_at(const Value& value, const Rang
     fault(value, "[width, height]");
     return std::nullopt;
   }
-  auto width = inside("0", [&] { return integer_at<int>(value.items[0], range); });
-  auto height = inside("1", [&] { return integer_at<int>(value.items[1], range); });
-  if (!width || !height) return std::nullopt;
-  return std::array<int, 2>{*width, *height};
+  std::array<int, 2> size{};
+  bool wide = inside("0", [&] { return integer_at(value.items[0], range, slot_of(size[0])); });
+  bool high = inside("1", [&] { return integer_at(value.items[1], range, slot_of(size[1])); });
+  return wide && high ? std::optional(size) : std::nullopt;
 }
 
 std::optional<Color> Reader::color_at(const Value& value) {

@@ -4,6 +4,8 @@
 
 #include <cassert>
 
+#include "preset/schema_parts.h"
+
 namespace frond {
 
 void SchemaWriter::add(std::string_view name, Value schema, std::string_view doc, std::string_view unit,
@@ -18,31 +20,12 @@ void SchemaWriter::add(std::string_view name, Value schema, std::string_view doc
 }
 
 Value SchemaWriter::object_schema() const {
-  Value schema = type("object");
+  Value schema = typed("object");
   schema.set("properties", properties_);
   if (!required_.empty()) schema.set("required", make_texts(required_));
   schema.set("additionalProperties", make_boolean(false));
   const Value* bare = properties_.find(bare_);
   return bare ? make_object().set("anyOf", make_list({*bare, schema})) : schema;
-}
-
-std::string SchemaWriter::with_choices(std::string_view doc, const std::vector<std::string_view>& names,
-                                       const std::vector<std::string_view>& docs) {
-  std::string text(doc);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!docs[i].empty()) text += fmt::format("{}{}: {}", i == 0 ? ". " : "; ", names[i], docs[i]);
-  }
-  return text;
-}
-
-Value SchemaWriter::forced_schema(const Value& defaults) {
-  return list_schema(make_object().set("enum", make_texts(paths_of(defaults))), {});
-}
-
-Value SchemaWriter::written_schema(std::string_view json) {
-  Result<Document> schema = parse_json(json, "schema");
-  assert(schema.ok() && "the schema of a custom property is no JSON");
-  return schema ? schema->root : make_object();
 }
 
 Value SchemaWriter::joined_kinds(const Value& common, const std::vector<KindSchema>& kinds) {
@@ -80,9 +63,55 @@ Value SchemaWriter::joined_kinds(const Value& common, const std::vector<KindSche
   if (const Value* more = common.find("required")) {
     required.items.insert(required.items.end(), more->items.begin(), more->items.end());
   }
-  Value schema = type("object");
+  Value schema = typed("object");
   schema.set("properties", std::move(properties)).set("required", std::move(required));
   return schema.set("allOf", std::move(cases));
+}
+
+Value SchemaWriter::schema_of(Slot object) {
+  SchemaWriter writer;
+  object.type->describe(writer, object.at);
+  return writer.object_schema();
+}
+
+Value SchemaWriter::sample_schema(const SlotType& object) {
+  Value schema;
+  object.with_sample([&](Slot sample) { schema = schema_of(sample); });
+  return schema;
+}
+
+std::vector<SchemaWriter::KindSchema> SchemaWriter::kind_schemas(const SlotType& one,
+                                                                 const KindTable& kinds) {
+  std::vector<KindSchema> schemas;
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    SchemaWriter writer;
+    one.with_sample([&](Slot sample) { kinds.describe(i, writer, sample); });
+    schemas.push_back({kinds.name(i), kinds.doc(i), writer.object_schema(), writer.leading_});
+  }
+  return schemas;
+}
+
+Value SchemaWriter::tagged_schema(const SlotType& one, const KindTable& kinds) {
+  return joined_kinds(sample_schema(one), kind_schemas(one, kinds));
+}
+
+Value SchemaWriter::defaults_of(const SlotType& one, const KindTable& kinds) {
+  Value all = sample_schema(one);
+  for (const KindSchema& kind : kind_schemas(one, kinds)) all = either(all, kind.schema);
+  return without_required(std::move(all));
+}
+
+std::string schema_json(ObjectSlot object) { return serialize(SchemaWriter::of(object)); }
+
+std::string schema_text(const Value& schema, std::string_view title, std::string_view doc) {
+  Value top = make_object();
+  top.set("$schema", make_text("http://json-schema.org/draft-07/schema#"));
+  top.set("title", make_text(title)).set("description", make_text(doc));
+  for (const Member& member : schema.members) top.set(member.name, member.value);
+  Value& properties = *top.find("properties");
+  properties.members.insert(properties.members.begin(), Member{"$schema", {}, make_object()});
+  properties.members.front().value.set("type", make_text("string"));
+  return serialize_pretty(top);
 }
 
 }  // namespace frond

@@ -11,8 +11,6 @@
 namespace frond {
 namespace {
 
-Value typed(std::string_view type) { return make_object().set("type", make_text(type)); }
-
 Value& bound(Value& schema, const Range& range) {
   if (std::isfinite(range.min))
     schema.set(range.above_min ? "exclusiveMinimum" : "minimum", make_number(range.min));
@@ -45,6 +43,8 @@ void append_paths(std::vector<std::string>& paths, const std::string& above, con
 }
 
 }  // namespace
+
+Value typed(std::string_view type) { return make_object().set("type", make_text(type)); }
 
 Value number_schema(const Range& range) {
   Value schema = typed("number");
@@ -98,6 +98,15 @@ Value pairs_schema() {
 
 Value choice_schema(std::span<const std::string_view> names) {
   return typed("string").set("enum", make_texts(names));
+}
+
+std::string with_choices(std::string_view doc, std::span<const std::string_view> names,
+                         std::span<const std::string_view> docs) {
+  std::string text(doc);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!docs[i].empty()) text += fmt::format("{}{}: {}", i == 0 ? ". " : "; ", names[i], docs[i]);
+  }
+  return text;
 }
 
 Value tidy_number(float number) {

@@ -14,6 +14,8 @@ namespace frond {
 
 // Schemas (JSON Schema draft-07) of single properties, for SchemaWriter.
 
+/// Of no more than a type.
+Value typed(std::string_view type);
 Value number_schema(const Range& range);
 Value integer_schema(const Range& range);
 Value vector_schema(const Value& component, std::size_t length);
@@ -25,6 +27,9 @@ Value animated_schema(const Value& value, const Value& shape);
 Value list_schema(const Value& element, const Count& count);
 Value pairs_schema();
 Value choice_schema(std::span<const std::string_view> names);
+/// A doc that goes on with what each choice is.
+std::string with_choices(std::string_view doc, std::span<const std::string_view> names,
+                         std::span<const std::string_view> docs);
 
 /// A number as a default: with the fewest digits that identify a float, or six digits.
 Value tidy_number(float number);

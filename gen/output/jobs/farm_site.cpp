@@ -7,8 +7,7 @@
 
 namespace frond {
 
-template <class Visitor>
-void describe(Visitor& v, FarmSite& s) {
+void describe(Properties& v, FarmSite& s) {
   v.text("partition", s.partition, "Of Slurm");
   v.text("account", s.account, "That pays for it");
   v.text("qos", s.qos, "Quality of service, of Slurm");

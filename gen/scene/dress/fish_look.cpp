@@ -7,6 +7,7 @@
 
 #include "core/content.h"
 #include "dress/describe_fish.h"
+#include "preset/keys.h"
 
 namespace frond {
 

@@ -8,6 +8,7 @@
 #include "dress/describe.h"
 #include "dress/photographs.h"
 #include "images/leaf_photo.h"
+#include "preset/keys.h"
 
 namespace frond {
 

@@ -11,6 +11,7 @@
 #include "dress/describe_shell.h"
 #include "dress/shell_pigment.h"
 #include "images/raster.h"
+#include "preset/keys.h"
 
 namespace frond {
 

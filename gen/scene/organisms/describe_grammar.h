@@ -2,85 +2,20 @@
 
 #include "grammar/grammar.h"
 #include "grammar/guide.h"
-#include "preset/keys.h"
-#include "preset/reader.h"
+#include "preset/describe.h"
 
 // The properties of grammars and their guides, as presets spell them; see preset/describe.h.
 
 namespace frond {
 
-inline constexpr Choice<GrammarText::Mode> kGrammarModes[] = {
-    {"parallel", GrammarText::Mode::parallel, "all symbols at once"},
-    {"sequential", GrammarText::Mode::sequential, "the leftmost symbol that has a rule"}};
-
-inline constexpr Choice<Dialect> kDialects[] = {
-    {"abop", Dialect::abop, "as in The Algorithmic Beauty of Plants and cpfg"},
-    {"houdini", Dialect::houdini, "as in Houdini's L-system node"},
-    {"lparser", Dialect::lparser,
-     "as in LParser: rolls are < and >, widths are shares of a segment's length, and a parameter stays "
-     "behind what its letter becomes"}};
-
-template <class Visitor>
-void describe(Visitor& v, GrammarText::Rule& r) {
-  v.shorthand("rule");
-  v.origin(r.where);
-  v.text("rule", r.text,
-         "The rule itself: left < predecessor(parameters) > right : condition ->(weight) successor");
-  v.required("rule");
-  v.integer("limit", r.limit, {.min = 0, .max = 1e9},
-            "How often the rule may be used in the whole derivation");
-}
-
-/// A grammar's tropism as presets group it.
-struct Tropism {
-  DVec3 vector;
-  double elasticity;
-};
-
-template <class Visitor>
-void describe(Visitor& v, Tropism& t) {
-  v.direction("vector", t.vector,
-              "Direction that branches turn toward as they are drawn; a longer vector pulls more");
-  v.number("elasticity", t.elasticity, {.min = -10, .max = 10},
-           "How readily branches turn toward the vector; 0 not at all, negative turns them away");
-}
-
-/// Where a grammar's turtle starts, as presets group it.
-struct TurtleStart {
-  DVec3 position, heading;
-};
-
-template <class Visitor>
-void describe(Visitor& v, TurtleStart& s) {
-  v.vector("position", s.position, "Where the turtle starts");
-  v.direction("heading", s.heading, "Direction in which the turtle looks at the start");
-}
-
-template <class Visitor>
-void describe(Visitor& v, Limits& l) {
-  v.integer("modules", l.modules, {.min = 1, .max = 1e12}, "Greatest number of symbols in a word");
-  v.integer("bytes", l.bytes, {.min = 1, .max = 1e15}, "Greatest memory for a word");
-}
+void describe(Properties& v, GrammarText::Rule& r);
+void describe(Properties& v, Limits& l);
 
 /// The values of a guide point besides its position and its children.
-template <class Visitor>
-void describe(Visitor& v, GuidePoint& p) {
-  v.vector("at", p.at, "Where the point is");
-  v.required("at");
-  v.vector("in", p.in,
-           "Handle on the side that the line comes from, from the point; not given: opposite to out");
-  v.vector("out", p.out,
-           "Handle on the side that the line goes on to, from the point; not given: opposite to in");
-  v.number("radius", p.radius, {.min = 1e-6, .max = 1e6}, "Radius of the branch from this point on");
-  v.number("angle", p.angle, {.min = -360, .max = 360, .unit = "degrees"},
-           "Angle of turns without a parameter from this point on");
-  v.number("elasticity", p.elasticity, {.min = -10, .max = 10},
-           "How readily branches bend from this point on");
-  v.vector("tropism", p.tropism, "Direction that branches turn toward from this point on");
-}
+void describe(Properties& v, GuidePoint& p);
 
 /// The point before it.
-inline void describe_rest(KeyWriter& v, GuidePoint& p) { v.add("parent", p.parent); }
+void describe_rest(KeyWriter& v, GuidePoint& p);
 
 /// Reads the lines of a guide's file.
 Errors load_guide(const NamedFile& file, GuideText& guide);
@@ -88,121 +23,20 @@ Errors load_guide(const NamedFile& file, GuideText& guide);
 /// Reads a line of points: each is [x, y, z], or an object with further values and `children`, the side lines
 /// that start there. Points are appended; the parent of each is the one before it in its line.
 bool read_guide_line(Reader& reader, const Value& value, std::vector<GuidePoint>& points);
-
-inline constexpr std::string_view kGuideLineSchema = R"json({
-  "type": "array",
-  "items": {
-    "anyOf": [
-      {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3},
-      {
-        "type": "object",
-        "properties": {
-          "at": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3,
-                 "description": "Where the point is"},
-          "in": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3,
-                 "description": "Handle on the side that the line comes from, from the point; not given: opposite to out"},
-          "out": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3,
-                  "description": "Handle on the side that the line goes on to, from the point; not given: opposite to in"},
-          "radius": {"type": "number", "description": "Radius of the branch from this point on"},
-          "angle": {"type": "number", "description": "Angle of turns without a parameter from this point on, degrees"},
-          "elasticity": {"type": "number", "description": "How readily branches bend from this point on"},
-          "tropism": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3,
-                      "description": "Direction that branches turn toward from this point on"},
-          "children": {"type": "array", "description": "Points or lines of points that start at this one"}
-        },
-        "required": ["at"],
-        "additionalProperties": false
-      }
-    ]
-  }
-})json";
+/// The schema of such a line.
+extern const std::string_view kGuideLineSchema;
 
 /// What gives the line of a guide in place of points.
-template <class Visitor>
-void describe_line(Visitor& v, GuideText& g) {
-  v.list("bezier", g.bezier, "Control points of a Bézier curve of any degree, in place of points");
-  v.integer("samples", g.samples, {.min = 1, .max = 100000},
-            "Number of pieces that the Bézier curve is cut into");
-  v.file(
-      "file", g.file, [&](const NamedFile& file) { return load_guide(file, g); },
-      "An OBJ file of lines or a skeleton as SWC, named as seen from this file's folder, in place of "
-      "points");
-}
+void describe_line(Properties& v, GuideText& g);
 
-template <class Visitor>
-void describe(Visitor& v, GuideText& g) {
-  v.custom(
-      "points", g.points, read_guide_line, kGuideLineSchema,
-      "A line of points, each [x, y, z] or {at, in, out, radius, angle, elasticity, tropism, children}; "
-      "in and out are handles of Bézier curves, children are points or lines of points that start there");
-  v.list("parent", g.parent,
-         "Number of the point that comes before each point, -1 for none; without it each follows the one "
-         "before it");
-  describe_line(v, g);
-  v.number("tolerance", g.tolerance, {.min = 0, .max = 1e6},
-           "Distance to a point at which it counts as reached");
-  v.number("leniency", g.leniency, {.min = 0, .max = 10, .above_min = true},
-           "Length of a step toward a point, as a share of the way to it");
-  v.boolean("reach_ends", g.reach_ends, "Whether points without children must be reached as well");
-}
+void describe(Properties& v, GuideText& g);
 
 /// Takes a grammar from another program's file.
 Errors load_grammar(const NamedFile& file, GrammarText& grammar);
 
 /// `load` takes the grammar of another program's file, which `doc` tells of.
-template <class Visitor, class Load>
-void describe_grammar(Visitor& v, GrammarText& g, const Load& load, std::string_view doc) {
-  v.origin(g.where);
-  v.file("file", g.file, load, doc);
-  v.text("axiom", g.axiom, "The word that the derivation begins with");
-  v.integer("steps", g.steps, {.min = 0, .max = 1e6}, "Number of derivation steps");
-  v.number("last_step", g.last_step, {.min = 0, .max = 1}, "How far the last step has grown");
-  v.number("angle", g.angle, {.min = -360, .max = 360, .unit = "degrees"}, "Angle of a turn that gives none");
-  v.number("length", g.length, {.min = -1e6, .max = 1e6}, "Length of an F or f that gives none");
-  v.number("width", g.width, {.min = 0, .max = 1e6}, "Diameter that the turtle begins with");
-  v.number("width_scale", g.width_scale, {.min = 0, .max = 100}, "Factor by which ! multiplies the diameter");
-  v.number("length_scale", g.length_scale, {.min = 0, .max = 100}, "Factor by which \" multiplies lengths");
-  v.number("angle_scale", g.angle_scale, {.min = 0, .max = 100},
-           "Factor by which symbols of Houdini and LParser multiply or divide the angle");
-  v.number("angle_jitter", g.angle_jitter, {.min = 0, .max = 180, .unit = "degrees"},
-           "Random change of each turn, either way");
-  v.number("length_jitter", g.length_jitter, {.min = 0, .max = 1},
-           "Random change of each length, either way, as a share of it");
-  v.pairs("constants", g.constants, "Names for numbers and expressions that rules may use");
-  v.list("rules", g.rules, "The productions, tried in this order");
-  v.list("decomposition", g.decomposition, "Rules that take symbols apart after each step");
-  v.list("interpretation", g.interpretation,
-         "Rules that replace symbols for the turtle alone, when the last step is done");
-  v.integer("interpretation_depth", g.interpretation_depth, {.min = 0, .max = 1000},
-            "How many times over interpretation rules are applied to what they give");
-  v.choice("mode", g.mode, kGrammarModes, "Which symbols one step rewrites");
-  v.choice("dialect", g.dialect, kDialects, "Whose meaning of the symbols counts");
-  v.integer("mutate", g.mutations, {.min = 0, .max = 10000},
-            "How often the rules are changed by chance, as LParser does it; for rules of its dialect");
-  v.text("ignore", g.ignore, "Symbols that contexts pass over");
-  v.text("consider", g.consider, "The only symbols that contexts see");
-  v.integer("seed", g.seed, {.min = 0, .max = 9e15}, "Seed of the grammar's random choices");
-  v.object("limits", g.limits, "Limits of the word; what would pass them is refused before it is derived");
-  v.list("symbols", g.symbols, "Names of symbols with more than one character");
-  v.boolean("ring", g.ring, "Whether the word is a circle, its end followed by its beginning");
-  Tropism tropism{g.tropism, g.elasticity};
-  v.object("tropism", tropism, "What branches turn toward as they grow");
-  g.tropism = tropism.vector;
-  g.elasticity = tropism.elasticity;
-  TurtleStart start{g.start, g.start_heading};
-  v.object("start", start, "Where and how the turtle starts");
-  g.start = start.position;
-  g.start_heading = start.heading;
-  v.object("guide", g.guide, "Places that the symbol ? leads the turtle to");
-}
+void describe_grammar(Properties& v, GrammarText& g, LoadFile load, std::string_view doc);
 
-template <class Visitor>
-void describe(Visitor& v, GrammarText& g) {
-  describe_grammar(
-      v, g, [&](const NamedFile& file) { return load_grammar(file, g); },
-      "A grammar of LParser, Houdini or Fractint or a skeleton as SWC, named as seen from this file's "
-      "folder; "
-      "what else is given here counts in place of what stands there");
-}
+void describe(Properties& v, GrammarText& g);
 
 }  // namespace frond

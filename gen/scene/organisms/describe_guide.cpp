@@ -1,25 +1,31 @@
 #include "organisms/describe_grammar.h"
 
 #include "organisms/guide_file.h"
+#include "preset/reader.h"
 
 namespace frond {
 
 namespace {
 
+/// What hangs from a point.
+struct Children {
+  const Value* list = nullptr;
+};
+void describe_rest(KeyWriter&, Children&) {}
+
 /// An object of a point, its children kept apart.
 struct PointObject {
   GuidePoint point;
-  const Value* children = nullptr;
+  Children children;
 };
 
-template <class Visitor>
-void describe(Visitor& v, PointObject& object) {
+void describe(Properties& v, PointObject& object) {
   describe(v, object.point);
   v.custom(
       "children", object.children,
-      [](Reader& reader, const Value& value, const Value*& children) {
+      [](Reader& reader, const Value& value, Children& children) {
         if (!value.is(Value::Type::list)) return reader.fault(value, "a list of points"), false;
-        children = &value;
+        children.list = &value;
         return true;
       },
       "", "");
@@ -46,10 +52,10 @@ bool read_point(Reader& reader, const Value& value, std::int32_t parent, std::ve
   read.point.parent = parent;
   index = static_cast<std::int32_t>(points.size());
   points.push_back(read.point);
-  if (!read.children) return good;
+  if (!read.children.list) return good;
   reader.inside("children", [&] {
-    for (std::size_t i = 0; i < read.children->items.size(); ++i) {
-      const Value& item = read.children->items[i];
+    for (std::size_t i = 0; i < read.children.list->items.size(); ++i) {
+      const Value& item = read.children.list->items[i];
       std::int32_t ignored = 0;
       good &= reader.inside(std::to_string(i), [&] {
         return is_list_of_lists(item) ? read_line(reader, item, index, points)

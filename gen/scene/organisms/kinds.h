@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "organisms/organism.h"
-#include "preset/reader.h"
-#include "preset/schema.h"
+#include "preset/describe.h"
 
 namespace frond {
 
@@ -30,16 +29,11 @@ std::span<const Kind<Organism>> organism_kinds();
 /// first.
 template <class G>
 Kind<Organism> make_grower(std::string_view name, std::string_view doc) {
-  return {name, doc,
-          [](Reader& reader, Organism& organism) {
+  return {name, doc, [](Properties& v, Organism& organism) {
             auto grower = std::make_shared<G>();
-            describe(reader, grower->params);
+            describe(v, grower->params);
+            if constexpr (requires { G::kLeading; }) v.leading(G::kLeading);
             organism.grower = std::move(grower);
-          },
-          [](SchemaWriter& writer) {
-            G grower;
-            describe(writer, grower.params);
-            if constexpr (requires { G::kLeading; }) writer.leading(G::kLeading);
           }};
 }
 

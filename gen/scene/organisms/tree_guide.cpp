@@ -1,6 +1,15 @@
 #include "organisms/tree_guide.h"
 
+#include "organisms/describe_grammar.h"
+
 namespace frond {
+
+void describe(Properties& v, TreeGuide& g) {
+  v.custom("points", g.points, read_guide_line, kGuideLineSchema,
+           "A line of points [x, y, z] in metres from the foot, y up; {at, in, out} has handles of a Bézier "
+           "curve, and one that forks is {at, children}, children being lines of points that start there");
+  describe_line(v, g);
+}
 
 Result<GuideAxes> axes_of_guide(const TreeGuide& text) {
   GuideAxes axes;

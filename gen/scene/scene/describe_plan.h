@@ -1,43 +1,13 @@
 #pragma once
 
-#include "organisms/describe_grammar.h"
 #include "plan/plan.h"
+#include "preset/describe.h"
 
 // The properties of plans, as presets spell them; see preset/describe.h.
 
 namespace frond {
 
-inline constexpr Choice<RoomGround> kRoomGrounds[] = {{"lawn", RoomGround::lawn, "grass as everywhere"},
-                                                      {"gravel", RoomGround::gravel, "as on the ways"},
-                                                      {"earth", RoomGround::earth, "a bed"}};
-
-/// The cells of a plan or of a room along a side.
-inline constexpr Range kPlanCells{.min = 1, .max = 64, .unit = "cells"};
-
-template <class Visitor>
-void describe(Visitor& v, RoomKind& r) {
-  v.text("symbol", r.symbol, "Symbol of the grammar that opens such a room");
-  v.required("symbol");
-  v.text("name", r.name, "Name by which `place.in` and `place.along` call such rooms; kinds may share one");
-  v.required("name");
-  v.size(
-      "size", r.size, kPlanCells,
-      "How many cells such a room has across and deep, as one comes in, where its symbol has no parameters");
-  v.number("inset", r.inset, {.min = 0.05, .max = 10, .unit = "m"},
-           "Distance from the edge of a room's cells to that of the room");
-  v.choice("ground", r.ground, kRoomGrounds, "What covers the ground of such a room, in a garden");
-}
-
-template <class Visitor>
-void describe(Visitor& v, PlanText& p) {
-  v.object("grammar", p.grammar,
-           "The grammar whose word is walked over the cells: F a way, + - | turns, [ ] branches, and rooms");
-  v.size("size", p.size, kPlanCells, "How many cells the plan has along x and along z");
-  v.number("cell", p.cell, {.min = 0.5, .max = 20, .unit = "m"}, "Side of a cell");
-  v.number("way", p.way, {.min = 0.1, .max = 20, .unit = "m"}, "Width of the ways");
-  v.number("opening", p.opening, {.min = 0.1, .max = 20, .unit = "m"},
-           "Width of the gate and of the openings by which ways come into rooms");
-  v.list("rooms", p.rooms, "The kinds of rooms");
-}
+void describe(Properties& v, RoomKind& r);
+void describe(Properties& v, PlanText& p);
 
 }  // namespace frond

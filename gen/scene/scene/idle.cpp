@@ -8,6 +8,7 @@
 #include "preset/json.h"
 #include "scene/describe.h"
 #include "scene/needs.h"
+#include "settings/settings.h"
 
 namespace frond {
 

@@ -10,6 +10,7 @@
 #include "preset/json.h"
 #include "preset/merge.h"
 #include "preset/override.h"
+#include "preset/palettes.h"
 #include "preset/reader.h"
 #include "scene/describe.h"
 

@@ -10,6 +10,7 @@
 #include "preset/json.h"
 #include "preset/merge.h"
 #include "preset/override.h"
+#include "preset/palettes.h"
 #include "preset/reader.h"
 #include "preset/schema.h"
 #include "scene/bounds.h"
@@ -19,6 +20,7 @@
 #include "scene/furnish.h"
 #include "scene/idle.h"
 #include "scene/named_preset.h"
+#include "settings/settings.h"
 
 namespace frond {
 namespace {

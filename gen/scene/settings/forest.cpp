@@ -16,8 +16,7 @@
 
 namespace frond {
 
-template <class Visitor>
-void describe(Visitor& v, StreamShape& s) {
+void describe(Properties& v, StreamShape& s) {
   v.vector("from", s.from, {.min = -2000, .max = 2000, .unit = "m"}, "Place x, z where the stream begins");
   v.number("width", s.width, {.min = 0, .max = 12, .unit = "m"},
            "Width of the stream's water on average; 0 is no stream");
@@ -25,8 +24,7 @@ void describe(Visitor& v, StreamShape& s) {
   v.integer("leaves", s.leaves, {.min = 0, .max = 2000}, "How many fallen leaves drift on the stream");
 }
 
-template <class Visitor>
-void describe(Visitor& v, TerrainShape& t) {
+void describe(Properties& v, TerrainShape& t) {
   v.number("size", t.size, {.min = 2, .max = 4000, .unit = "m"}, "Side of the square of land that is sown");
   v.number("hills", t.hills, {.min = 0, .max = 500, .unit = "m"}, "Height from valley to hilltop");
   v.number("hill_size", t.hill_size, {.min = 1, .max = 5000, .unit = "m"},
@@ -39,8 +37,7 @@ void describe(Visitor& v, TerrainShape& t) {
   v.object("stream", t.stream, "A stream that runs down the land and leaves the sown square");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Forest& f) {
+void describe(Properties& v, Forest& f) {
   v.animated("hour", f.hour, kHours,
              "Hour of the day, which places the sun: 6 dawn, 12 noon, 19 dusk; with keyframes a day goes by");
   describe_place(v, f.when);

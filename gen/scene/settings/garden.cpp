@@ -13,8 +13,7 @@
 
 namespace frond {
 
-template <class Visitor>
-void describe(Visitor& v, Garden& g) {
+void describe(Properties& v, Garden& g) {
   v.animated("hour", g.hour, kHours,
              "Hour of the day, which places the sun: 6 dawn, 12 noon, 19 dusk; with keyframes a day goes by");
   describe_place(v, g.when);

@@ -7,8 +7,7 @@
 
 namespace frond {
 
-template <class Visitor>
-void describe(Visitor& v, MountainShape& m) {
+void describe(Properties& v, MountainShape& m) {
   v.number("height", m.height, {.min = 50, .max = 6000, .unit = "m"}, "Height of its top above the plain");
   v.number("distance", m.distance, {.min = 1500, .max = 40000, .unit = "m"},
            "Distance from the middle to its crest");
@@ -33,16 +32,14 @@ inline constexpr Choice<MeadowPlant> kMeadowPlants[] = {
     {"buttercup", MeadowPlant::buttercup, "a yellow cup above leaves of three lobes"},
     {"plantain", MeadowPlant::plantain, "ribbed lances about a brown spike"}};
 
-template <class Visitor>
-void describe(Visitor& v, Sward& s) {
+void describe(Properties& v, Sward& s) {
   v.choice("kind", s.kind, kMeadowPlants, "What it is");
   v.number("share", s.share, {.min = 0, .max = 100}, "How much there is of it, against the other shares");
   v.number("height", s.height, {.min = 0.1, .max = 10},
            "Factor of its size; 1 goes with the length of the blades");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Meadow& m) {
+void describe(Properties& v, Meadow& m) {
   v.animated("hour", m.hour, kHours,
              "Hour of the day, which places the sun instead of `sun`, as that of garden does");
   describe_place(v, m.when);

@@ -19,8 +19,6 @@
 #include "land/sow.h"
 #include "model/bytes.h"
 #include "preset/keys.h"
-#include "preset/reader.h"
-#include "preset/schema.h"
 #include "settings/sky.h"
 #include "settings/stage.h"
 #include "world/specimen.h"
@@ -254,15 +252,13 @@ SettingRow setting_row(std::string_view name, std::string_view doc, std::string_
           Block{},
           [](Reader& reader, const Value& value, std::any& held) {
             Block read{};
-            bool fine = reader.object_at(value, read);
+            bool fine = read_object(reader, value, read);
             held = std::move(read);
             return fine;
           },
           [] {
-            SchemaWriter writer;
             Block sample{};
-            describe(writer, sample);
-            return serialize(writer.object_schema());
+            return schema_json(sample);
           },
           [](const std::any& held) { return keys_of(std::any_cast<Block>(held)); },
           {std::move(reads), extent, check, estimate_size, lay, daylight, hour}};

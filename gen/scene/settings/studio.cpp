@@ -10,8 +10,7 @@
 
 namespace frond {
 
-template <class Visitor>
-void describe(Visitor& v, Studio& s) {
+void describe(Properties& v, Studio& s) {
   v.color("wall", s.wall, "Colour of the wall and the floor");
   v.number("distance", s.distance, {.min = 0.01, .max = 1000, .unit = "m"},
            "Distance from the middle back to the wall");

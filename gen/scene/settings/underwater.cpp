@@ -8,8 +8,7 @@
 
 namespace frond {
 
-template <class Visitor>
-void describe(Visitor& v, Water& w) {
+void describe(Properties& v, Water& w) {
   v.color("near", w.near, "Colour that everything fades to with distance");
   v.color("deep", w.deep, "Colour of the depth below the horizon");
   v.number("visibility", w.visibility, {.min = 0.5, .max = 1000, .unit = "m"},

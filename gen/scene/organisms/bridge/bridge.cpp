@@ -4,7 +4,6 @@
 
 #include "masonry/block.h"
 #include "organisms/kinds.h"
-#include "preset/reader.h"
 
 namespace frond {
 
@@ -91,8 +90,7 @@ inline constexpr Choice<BridgeStyle> kBridgeStyles[] = {
     {"wood", BridgeStyle::wood, "planks on stringers, a railing of posts and rails"},
     {"stone", BridgeStyle::stone, "a vault of voussoirs, walls, paving and a parapet with piers"}};
 
-template <class Visitor>
-void describe(Visitor& v, BridgeParams& b) {
+void describe(Properties& v, BridgeParams& b) {
   BridgeShape& s = b.shape;
   v.choice("style", s.style, kBridgeStyles, "What it is built of");
   v.number("length", s.length, {.min = 1, .max = 60, .unit = "m"}, "Length from foot to foot");

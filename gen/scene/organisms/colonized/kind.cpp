@@ -16,8 +16,7 @@ inline constexpr Choice<EnvelopeKind> kEnvelopeKinds[] = {
     {"mesh", EnvelopeKind::mesh, "the inside of a closed mesh"},
     {"outline", EnvelopeKind::outline, "a silhouette, turned or with a depth"}};
 
-template <class Visitor>
-void describe(Visitor& v, EnvelopeParams& e) {
+void describe(Properties& v, EnvelopeParams& e) {
   v.choice("shape", e.kind, kEnvelopeKinds, "Shape of the room that the crown fills");
   v.number("base", e.base, {.min = 0, .max = 500, .unit = "m"},
            "Height of the crown's foot above the ground");
@@ -36,8 +35,7 @@ void describe(Visitor& v, EnvelopeParams& e) {
   v.text("path", e.path, "SVG path data of the silhouette. Needs \"shape\": \"outline\"");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Colonization& c) {
+void describe(Properties& v, Colonization& c) {
   v.integer("attractors", c.attractors, {.min = 1, .max = 2e6},
             "Number of points in the room that branches grow toward");
   v.number("influence", c.influence, {.min = 0.001, .max = 1000, .unit = "m"},
@@ -53,8 +51,7 @@ void describe(Visitor& v, Colonization& c) {
             "Number of nodes at which growth ends in any case");
 }
 
-template <class Visitor>
-void describe(Visitor& v, ColonizedParams& p) {
+void describe(Properties& v, ColonizedParams& p) {
   v.object("envelope", p.envelope, "The room that the crown fills");
   v.object("colonize", p.growth_into, "How branches find their way");
   v.object(

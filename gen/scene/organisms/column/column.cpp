@@ -3,7 +3,6 @@
 #include "geometry/crease.h"
 #include "masonry/block.h"
 #include "organisms/kinds.h"
-#include "preset/reader.h"
 
 namespace frond {
 
@@ -16,8 +15,7 @@ Model build_column_model(const ColumnParams& params) {
   return model;
 }
 
-template <class Visitor>
-void describe(Visitor& v, ColumnParams& c) {
+void describe(Properties& v, ColumnParams& c) {
   ColumnShape& s = c.shape;
   v.number("height", s.height, {.min = 0.2, .max = 30, .unit = "m"}, "Height with base and capital");
   v.number("radius", s.radius, {.min = 0.02, .max = 3, .unit = "m"}, "Radius of the shaft at its foot");

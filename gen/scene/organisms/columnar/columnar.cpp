@@ -18,8 +18,7 @@ Result<Model> grow_columnar(const ColumnarParams& params, const Surroundings& ar
                   material_of(params.tissue, Matter::polyps, seed));
 }
 
-template <class Visitor>
-void describe(Visitor& v, Accretion& a) {
+void describe(Properties& v, Accretion& a) {
   v.number("across", a.across, {.min = 0.01, .max = 5, .unit = "m"},
            "How far it comes to each side of its foot");
   v.number("up", a.up, {.min = 0.01, .max = 5, .unit = "m"}, "How high it comes");
@@ -35,8 +34,7 @@ void describe(Visitor& v, Accretion& a) {
   v.number("smoothing", a.smoothing, {.min = 0, .max = 1}, "How far polyps even out what lies between them");
 }
 
-template <class Visitor>
-void describe(Visitor& v, ColumnarParams& c) {
+void describe(Properties& v, ColumnarParams& c) {
   v.object("accretion", c.accretion, "How its skin lays skeleton");
   v.object("tissue", c.tissue, "The living skin");
   v.object("growth", c.growth, "When it grows in the film");

@@ -14,8 +14,7 @@ inline constexpr Choice<CoralForm> kCoralForms[] = {
     {"tufted", CoralForm::tufted, "A -> \"[&FFFA]////[&FFFA]////[&FFFA]"},
     {"own", CoralForm::own, "the rules under grammar"}};
 
-template <class Visitor>
-void describe(Visitor& v, Thickness& t) {
+void describe(Properties& v, Thickness& t) {
   v.number("radius", t.radius, {.min = 0, .max = 5, .above_min = true, .unit = "m"}, "Radius at the base");
   v.curve("curve", t.curve,
           "Share of the radius by the way to the farthest tip, from 0 at that tip to 1 at the base");
@@ -25,15 +24,13 @@ void describe(Visitor& v, Thickness& t) {
            "How much wider the foot is than the stem above it, as a share");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Distortion& d) {
+void describe(Properties& v, Distortion& d) {
   v.number("strength", d.strength, {.min = 0, .max = 10, .unit = "m"}, "How far noise bends the tips");
   v.number("scale", d.scale, {.min = 0, .max = 100, .above_min = true, .unit = "m"},
            "Distance from one bend to the next");
 }
 
-template <class Visitor>
-void describe(Visitor& v, CoralParams& c) {
+void describe(Properties& v, CoralParams& c) {
   v.choice("form", c.form, kCoralForms, "The rules that it grows by");
   v.integer("steps", c.steps, {.min = 1, .max = 12},
             "How often it forks; each step makes three branches of one. Not with \"form\": \"own\", whose "

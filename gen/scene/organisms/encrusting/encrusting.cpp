@@ -44,8 +44,7 @@ Result<Model> grow_encrusting(const EncrustingParams& params, const Surroundings
   return model_of(body_of(sheet, skin), material_of(params.tissue, Matter::polyps, seed));
 }
 
-template <class Visitor>
-void describe(Visitor& v, EncrustingParams& p) {
+void describe(Properties& v, EncrustingParams& p) {
   v.number("across", p.across, {.min = 0.01, .max = 5, .unit = "m"}, "How wide it comes to be");
   v.number("height", p.height, {.min = 0.005, .max = 5, .unit = "m"}, "How high it comes to be");
   v.number("lobes", p.lobes, {.min = 0, .max = 1}, "How uneven its outline is");

@@ -6,8 +6,7 @@
 
 namespace frond {
 
-template <class Visitor>
-void describe(Visitor& v, FanParams& f) {
+void describe(Properties& v, FanParams& f) {
   v.number("across", f.across, {.min = 0.03, .max = 5, .unit = "m"}, "How wide it is");
   v.number("height", f.height, {.min = 0.03, .max = 5, .unit = "m"}, "How high it is");
   v.number("mesh", f.mesh, {.min = 0.002, .max = 0.5, .unit = "m"}, "About the width of a mesh of its net");

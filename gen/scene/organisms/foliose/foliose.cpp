@@ -90,8 +90,7 @@ inline constexpr Choice<FolioseForm> kFolioseForms[] = {
     {"whorl", FolioseForm::whorl, "one round another, rising, as the leaves of a lettuce"},
     {"plate", FolioseForm::plate, "level, one above another"}};
 
-template <class Visitor>
-void describe(Visitor& v, FolioseParams& f) {
+void describe(Properties& v, FolioseParams& f) {
   v.choice("form", f.form, kFolioseForms, "How its sheets stand");
   v.number("across", f.across, {.min = 0.03, .max = 5, .unit = "m"}, "How wide it comes to be");
   v.number("height", f.height, {.min = 0.02, .max = 5, .unit = "m"}, "How high it comes to be");

@@ -40,8 +40,7 @@ Errors load_curves(const NamedFile& file, std::vector<std::vector<DVec3>>& curve
   return {};
 }
 
-template <class Visitor>
-void describe(Visitor& v, CrawlGuide& g) {
+void describe(Properties& v, CrawlGuide& g) {
   v.list(
       "points", g.points,
       "Points of one curve, in metres in the world, on the host or near it: places, or objects with handles");
@@ -57,8 +56,7 @@ void describe(Visitor& v, CrawlGuide& g) {
 }
 
 /// Where strands end: nothing of it is written where there is no limit.
-template <class Visitor>
-void describe_limits(Visitor& v, Crawl& c) {
+void describe_limits(Properties& v, Crawl& c) {
   const Crawl open;
   auto limit = [](const auto& own, const auto& none) {
     return own == none ? std::nullopt : std::optional(own);
@@ -76,8 +74,7 @@ void describe_limits(Visitor& v, Crawl& c) {
   if (high) c.high = *high;
 }
 
-template <class Visitor>
-void describe(Visitor& v, CrawlMask& m) {
+void describe(Properties& v, CrawlMask& m) {
   v.file(
       "file", m.picture.file, [&](const NamedFile& file) { return load_mask(file, m.picture); },
       "A picture (PNG, JPEG or WebP), laid on by the texture coordinates of a mesh (`vt`) or over the face "
@@ -91,8 +88,7 @@ void describe(Visitor& v, CrawlMask& m) {
            "Strands neither begin nor go where the grey is below this; 0 stops none");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Crawl& c) {
+void describe(Properties& v, Crawl& c) {
   v.number("speed", c.speed, {.min = 0.0005, .max = 1, .unit = "m"}, "Length of one step of a strand");
   v.angle("wander", c.wander, {.min = 0, .max = 120}, "Angle by which each step turns at random, either way");
   v.animated(
@@ -141,8 +137,7 @@ void describe(Visitor& v, Crawl& c) {
            "Length over which a strand stands out freely before it bends down");
 }
 
-template <class Visitor>
-void describe(Visitor& v, IvyLeaves& l) {
+void describe(Properties& v, IvyLeaves& l) {
   v.number("size", l.size, {.min = 0.001, .max = 2, .unit = "m"}, "Length of a grown leaf's blade");
   v.number("size_variation", l.size_variation, {.min = 0, .max = 0.9},
            "Random change of the size, as a share of it");
@@ -167,8 +162,7 @@ void describe(Visitor& v, IvyLeaves& l) {
   v.aspect(Aspect::motion, "unfold");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Walkers& w) {
+void describe(Properties& v, Walkers& w) {
   v.aspect(Aspect::look);
   v.file(
       "file", w.file, [&](const NamedFile& file) { return load_unit_mesh(file, w.mesh); },
@@ -183,8 +177,7 @@ void describe(Visitor& v, Walkers& w) {
   v.number("gloss", w.gloss, {.min = 0, .max = 1}, "How much it shines");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Flutter& f) {
+void describe(Properties& v, Flutter& f) {
   v.aspect(Aspect::motion);
   v.angle("amplitude", f.amplitude, {.min = 0, .max = 60},
           "Angle by which a gust moves a leaf on a petiole of 5 cm");
@@ -194,8 +187,7 @@ void describe(Visitor& v, Flutter& f) {
   v.direction("direction", f.direction, Across::xz, "Direction in which gusts travel; only x and z count");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Breeze& b) {
+void describe(Properties& v, Breeze& b) {
   v.aspect(Aspect::motion);
   v.angle("amplitude", b.amplitude, {.min = 0, .max = 60},
           "Angle by which the free end of a hanging strand swings, where speed is 0");
@@ -207,8 +199,7 @@ void describe(Visitor& v, Breeze& b) {
   v.direction("direction", b.direction, Across::xz, "Direction of the wind; only x and z count");
 }
 
-template <class Visitor>
-void describe(Visitor& v, IvyParams& i) {
+void describe(Properties& v, IvyParams& i) {
   v.list("on", i.on,
          "Names of the organisms that it grows on, as their `name` says; without any it grows on all bodies "
          "there are");

@@ -59,8 +59,7 @@ inline constexpr Choice<Wrought> kWrought[] = {
     {"cups", Wrought::cups, "a cup for each polyp, its wall shared with those beside it, as on star corals"},
     {"plain", Wrought::plain, "fine pores, as on Porites"}};
 
-template <class Visitor>
-void describe(Visitor& v, MassiveParams& m) {
+void describe(Properties& v, MassiveParams& m) {
   v.number("across", m.across, {.min = 0.02, .max = 5, .unit = "m"}, "How wide it comes to be");
   v.number("height", m.height, {.min = 0.01, .max = 5, .unit = "m"}, "How high it comes to be");
   v.number("lumps", m.lumps, {.min = 0, .max = 1}, "How uneven it is: 0 a dome .. 1 a heap of domes");

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "organisms/kinds.h"
-#include "preset/reader.h"
+#include "preset/value.h"
 
 namespace frond {
 
@@ -26,8 +26,7 @@ inline constexpr Choice<LengthUnit> kLengthUnits[] = {{"mm", LengthUnit::millime
                                                       {"ft", LengthUnit::feet, "feet"}};
 
 // The file is cut as `up` and `parts` say, so these are read before it.
-template <class Visitor>
-void describe(Visitor& v, MeshParams& m) {
+void describe(Properties& v, MeshParams& m) {
   v.choice("up", m.up, kUpAxes, "Axis of the file that points up");
   v.list("parts", m.parts,
          "Names of the objects, groups or materials of the file that are taken; without any, all");

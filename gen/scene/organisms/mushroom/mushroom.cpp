@@ -87,8 +87,7 @@ Result<Model> grow_mushroom(const MushroomParams& params, const Surroundings&, S
   return model_of(std::move(body), material_of(params.tissue, Matter::meander, seed));
 }
 
-template <class Visitor>
-void describe(Visitor& v, MushroomParams& p) {
+void describe(Properties& v, MushroomParams& p) {
   v.number("across", p.across, {.min = 0.01, .max = 5, .unit = "m"}, "How wide it comes to be");
   v.number("height", p.height, {.min = 0.005, .max = 5, .unit = "m"}, "How high it comes to be");
   v.number("oval", p.oval, {.min = 0.2, .max = 1}, "Its width by its length");

@@ -74,8 +74,7 @@ Result<Model> build_pebbles(const PebblesParams& params, Seed seed) {
   return model;
 }
 
-template <class Visitor>
-void describe(Visitor& v, PebblesParams& p) {
+void describe(Properties& v, PebblesParams& p) {
   describe_shape(v, p.shape);
   v.object("stone", p.stone, "The surface of the stones");
   v.integer("shapes", p.shapes, {.min = 1, .max = 1000}, "How many different shapes there are");

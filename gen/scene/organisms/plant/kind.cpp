@@ -34,8 +34,7 @@ inline constexpr Choice<Stand> kStands[] = {
     {"turtle", Stand::turtle, "where the turtle starts"},
     {"middle", Stand::middle, "below its middle, the lowest point on the ground"}};
 
-template <class Visitor>
-void describe(Visitor& v, Luster& l) {
+void describe(Properties& v, Luster& l) {
   v.aspect(Aspect::look);
   v.number("through", l.through, {.min = 0, .max = 0.9},
            "Share of the light, of all that it throws back, that comes out on the other side: a leaf glows "
@@ -44,8 +43,7 @@ void describe(Visitor& v, Luster& l) {
   v.number("relief", l.relief, {.min = 0, .max = 3}, "Depth of a leaf's veins or a petal's pleats");
 }
 
-template <class Visitor>
-void describe(Visitor& v, OrganParams& o) {
+void describe(Properties& v, OrganParams& o) {
   v.aspect(Aspect::look);
   v.text("symbol", o.symbol,
          "Its name in the grammar: L stands at ~L and at a bare L without rule or meaning");
@@ -107,8 +105,7 @@ void describe(Visitor& v, OrganParams& o) {
   v.aspect(Aspect::shape, "symbol", "size", "size_variation", "turn_variation");
 }
 
-template <class Visitor>
-void describe(Visitor& v, PlantGrammar& g) {
+void describe(Properties& v, PlantGrammar& g) {
   describe_grammar(
       v, g,
       [&](const NamedFile& file) {
@@ -124,10 +121,9 @@ void describe(Visitor& v, PlantGrammar& g) {
             "that cpfg grows");
 }
 
-template <class Visitor>
-void describe(Visitor& v, PlantParams& p) {
+void describe(Properties& v, PlantParams& p) {
   v.object("grammar", p.grammar, "The rules that it grows by");
-  if constexpr (std::is_same_v<Visitor, Reader>) take_colors(p);
+  if (v.purpose() == Purpose::reading) take_colors(p);
   v.required("grammar");
   v.number("height", p.height, {.min = 0, .max = 1000, .unit = "m"},
            "Height that the whole is scaled to; 0 leaves it as the turtle draws it");
@@ -145,7 +141,7 @@ void describe(Visitor& v, PlantParams& p) {
   v.boolean("by_steps", p.by_steps,
             "Whether growth runs through the derivation steps instead of along the finished branches");
   if (asks(p.grammar)) v.aspect(Aspect::shape, "food", "growth");
-  if constexpr (std::is_same_v<Visitor, Reader>) take_surfaces(p);
+  if (v.purpose() == Purpose::reading) take_surfaces(p);
 }
 
 namespace {

@@ -24,8 +24,7 @@ Result<Model> build_rock(const RockParams& params, Seed seed) {
   return model;
 }
 
-template <class Visitor>
-void describe(Visitor& v, RockParams& r) {
+void describe(Properties& v, RockParams& r) {
   v.number("size", r.shape.size, {.min = 0.001, .max = 1000, .unit = "m"},
            "Length of its longest side, before weathering");
   describe_shape(v, r.shape);

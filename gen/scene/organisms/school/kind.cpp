@@ -11,8 +11,7 @@
 
 namespace frond {
 
-template <class Visitor>
-void describe(Visitor& v, FishParams& f) {
+void describe(Properties& v, FishParams& f) {
   v.number("length", f.length, {.min = 0.005, .max = 20, .unit = "m"}, "Length from nose to tail");
   v.number("size_variation", f.size_variation, {.min = 0, .max = 0.6},
            "Random change of the length, as a share of it");
@@ -22,8 +21,7 @@ void describe(Visitor& v, FishParams& f) {
   v.object("look", f.look, "The colours of a fish");
 }
 
-template <class Visitor>
-void describe(Visitor& v, SwimParams& s) {
+void describe(Properties& v, SwimParams& s) {
   v.number("speed", s.speed, {.min = 0.01, .max = 20, .unit = "m/s"}, "Speed through the water");
   v.number("spacing", s.spacing, {.min = 0.005, .max = 50, .unit = "m"},
            "Distance that fish like to keep from each other");
@@ -47,8 +45,7 @@ void describe(Visitor& v, SwimParams& s) {
       "Current that they swim against, as a share of their speed; near 1 they hover, at 0 they go round");
 }
 
-template <class Visitor>
-void describe(Visitor& v, SchoolParams& s) {
+void describe(Properties& v, SchoolParams& s) {
   v.object("fish", s.fish, "The fish");
   v.object("swim", s.swim, "How they swim");
 }

@@ -16,8 +16,7 @@ inline constexpr Choice<ShellForm> kShellForms[] = {
     {"bivalve", ShellForm::bivalve, "two valves on a hinge, as clams have"},
     {"valve", ShellForm::valve, "one valve of a clam"}};
 
-template <class Visitor>
-void describe(Visitor& v, ShellRibs& r) {
+void describe(Properties& v, ShellRibs& r) {
   v.integer("count", r.count, {.min = 0, .max = 120}, "Number of cords or ribs round the edge; 0 is none");
   v.number("height", r.height, {.min = 0, .max = 0.4},
            "Height from the middle to a crest, as a share of the last whorl's radius or the valve's height");
@@ -25,8 +24,7 @@ void describe(Visitor& v, ShellRibs& r) {
            "Below 1 narrow ribs between broad grooves, above 1 broad ones between narrow grooves");
 }
 
-template <class Visitor>
-void describe(Visitor& v, ShellCostae& c) {
+void describe(Properties& v, ShellCostae& c) {
   v.integer("count", c.count, {.min = 0, .max = 120},
             "Number on a whorl, or on a valve from its beak to its margin; 0 is none");
   v.number("height", c.height, {.min = 0, .max = 0.4},
@@ -34,16 +32,14 @@ void describe(Visitor& v, ShellCostae& c) {
   v.number("sharp", c.sharp, {.min = 0.2, .max = 20}, "How narrow they are: 1 round waves, 10 thin blades");
 }
 
-template <class Visitor>
-void describe(Visitor& v, ShellScutes& s) {
+void describe(Properties& v, ShellScutes& s) {
   v.integer("count", s.count, {.min = 0, .max = 60},
             "Number along each rib on a whorl, or on a valve from its beak to its margin; 0 is none");
   v.number("height", s.height, {.min = 0, .max = 1},
            "Height, as a share of the last whorl's radius or the valve's height");
 }
 
-template <class Visitor>
-void describe(Visitor& v, MantleParams& m) {
+void describe(Properties& v, MantleParams& m) {
   describe(v, m.look);
   v.aspect(Aspect::shape);
   v.number("swell", m.swell, {.min = 0, .max = 0.5},
@@ -52,8 +48,7 @@ void describe(Visitor& v, MantleParams& m) {
            "How far its edge undulates, as a share of the valve's height");
 }
 
-template <class Visitor>
-void describe(Visitor& v, ShellParams& p) {
+void describe(Properties& v, ShellParams& p) {
   v.choice("form", p.form, kShellForms, "What shell it is");
   v.number("size", p.size, {.min = 0.001, .max = 5, .unit = "m"},
            "Length of its longest side, as it lies closed");

@@ -150,8 +150,7 @@ Result<Model> grow_table(const TableParams& params, const Surroundings& around, 
   return model_of(std::move(body), material_of(params.tissue, Matter::polyps, seed));
 }
 
-template <class Visitor>
-void describe(Visitor& v, TableParams& p) {
+void describe(Properties& v, TableParams& p) {
   v.number("across", p.across, {.min = 0.01, .max = 5, .unit = "m"}, "How wide it comes to be");
   v.number("height", p.height, {.min = 0.005, .max = 5, .unit = "m"}, "How high it comes to be");
   v.number("stalk", p.stalk, {.min = 0.005, .max = 2, .unit = "m"}, "How wide its stalk is");

@@ -4,7 +4,6 @@
 
 #include "masonry/block.h"
 #include "organisms/kinds.h"
-#include "preset/reader.h"
 
 namespace frond {
 
@@ -45,8 +44,7 @@ inline constexpr Choice<TrellisForm> kTrellisForms[] = {
     {"lattice", TrellisForm::lattice, "laths upright and level, crossing each other"},
     {"fan", TrellisForm::fan, "laths that spread from the foot, with level ones across"}};
 
-template <class Visitor>
-void describe(Visitor& v, TrellisParams& t) {
+void describe(Properties& v, TrellisParams& t) {
   TrellisShape& s = t.shape;
   v.choice("form", s.form, kTrellisForms, "What it is made of");
   v.number("width", s.width, {.min = 0.1, .max = 100, .unit = "m"}, "Length of the trellis, along x");

@@ -75,8 +75,7 @@ inline constexpr Choice<TubeForm> kTubeForms[] = {
     {"sponge", TubeForm::sponge, "soft and pitted, as tube and barrel sponges"},
     {"pipes", TubeForm::pipes, "stony, as the organ-pipe coral"}};
 
-template <class Visitor>
-void describe(Visitor& v, TubeParams& p) {
+void describe(Properties& v, TubeParams& p) {
   v.choice("form", p.form, kTubeForms, "What the tubes are made of");
   v.number("across", p.across, {.min = 0.01, .max = 5, .unit = "m"}, "How wide it comes to be");
   v.number("height", p.height, {.min = 0.005, .max = 5, .unit = "m"}, "How high it comes to be");

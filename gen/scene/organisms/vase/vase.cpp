@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "organisms/kinds.h"
-#include "preset/reader.h"
 
 namespace frond {
 
@@ -83,8 +82,7 @@ inline constexpr Choice<Motif> kMotifs[] = {{"plain", Motif::plain, "nothing but
                                             {"petals", Motif::petals, "upright petals side by side"},
                                             {"rings", Motif::rings, "three thin lines"}};
 
-template <class Visitor>
-void describe(Visitor& v, Band& b) {
+void describe(Properties& v, Band& b) {
   v.aspect(Aspect::look);
   v.number("at", b.at, {.min = 0, .max = 1}, "Middle of the band, as a share of the vessel's height");
   v.number("width", b.width, {.min = 0.001, .max = 1},
@@ -94,8 +92,7 @@ void describe(Visitor& v, Band& b) {
   v.integer("repeats", b.repeats, {.min = 1, .max = 400}, "How often the motif is repeated once round");
 }
 
-template <class Visitor>
-void describe(Visitor& v, VaseParams& p) {
+void describe(Properties& v, VaseParams& p) {
   VesselShape& s = p.shape;
   v.list("profile", s.profile, {.min = 2, .max = 21},
          "Control points [radius, height] of the Bézier curve that is turned, from the foot to the lip");

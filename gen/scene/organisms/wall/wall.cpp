@@ -5,7 +5,6 @@
 #include "geometry/crease.h"
 #include "masonry/block.h"
 #include "organisms/kinds.h"
-#include "preset/reader.h"
 
 namespace frond {
 
@@ -123,8 +122,7 @@ inline constexpr Choice<WallHole> kWallHoles[] = {{"window", WallHole::window, "
                                                   {"door", WallHole::door, "down to the ground, of planks"},
                                                   {"gap", WallHole::gap, "nothing stands in it"}};
 
-template <class Visitor>
-void describe(Visitor& v, WallOpening& o) {
+void describe(Properties& v, WallOpening& o) {
   v.choice("kind", o.kind, kWallHoles, "What stands in the opening");
   v.number("at", o.at, {.min = -50, .max = 50, .unit = "m"},
            "Where its middle is, from the middle of the wall along it");
@@ -133,8 +131,7 @@ void describe(Visitor& v, WallOpening& o) {
   v.number("height", o.height, {.min = 0.2, .max = 20, .unit = "m"}, "Height of the opening");
 }
 
-template <class Visitor>
-void describe(Visitor& v, WallParams& w) {
+void describe(Properties& v, WallParams& w) {
   WallShape& s = w.shape;
   v.number("width", s.width, {.min = 0.1, .max = 30, .unit = "m"}, "Length of the wall");
   v.number("height", s.height, {.min = 0.1, .max = 15, .unit = "m"},

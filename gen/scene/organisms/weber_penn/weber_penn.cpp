@@ -54,8 +54,7 @@ inline constexpr Choice<CrownShape> kCrownShapes[] = {
     {"tend_flame", CrownShape::tend_flame, "between a flame and a cylinder"},
     {"envelope", CrownShape::envelope, "as the pruning's envelope"}};
 
-template <class Visitor>
-void describe(Visitor& v, StemLevel& s) {
+void describe(Properties& v, StemLevel& s) {
   constexpr Range kAngle{.min = -3600, .max = 3600};
   v.angle("down_angle", s.down_angle, kAngle, "Angle between a stem and its parent");
   v.angle("down_angle_v", s.down_angle_v, kAngle,
@@ -95,8 +94,7 @@ void describe(Visitor& v, StemLevel& s) {
           "How densely stems stand by the place on the parent, as angle_along; their number stays");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Pruning& p) {
+void describe(Properties& v, Pruning& p) {
   v.number("ratio", p.ratio, {.min = 0, .max = 1},
            "How strictly branches are cut to the envelope: 0 not at all, 1 nothing stands out of it");
   v.number("width", p.width, {.min = 0, .max = 10}, "Radius of the envelope as a share of the scale");
@@ -108,8 +106,7 @@ void describe(Visitor& v, Pruning& p) {
            "Bulge of the envelope above its widest place: 1 is straight, less is rounder");
 }
 
-template <class Visitor>
-void describe(Visitor& v, WeberPenn& t) {
+void describe(Properties& v, WeberPenn& t) {
   v.choice("shape", t.shape, kCrownShapes, "How long branches are by their height on the trunk");
   v.number("cone_top", t.cone_top, {.min = 0, .max = 1},
            "Length of the topmost branches as a share of the longest. Needs \"shape\": \"conical\"");
@@ -158,8 +155,7 @@ void describe(Visitor& v, WeberPenn& t) {
             "Number of nodes that each segment is rounded with");
 }
 
-template <class Visitor>
-void describe(Visitor& v, WeberPennParams& p) {
+void describe(Properties& v, WeberPennParams& p) {
   v.object("tree", p.tree, "The shape of the tree");
   v.object("guide", p.guide,
            "Lines that the first trunk follows, its forks as clones that split off, from the foot; what "

@@ -1,0 +1,197 @@
+#include <cassert>
+
+#include "core/assets.h"
+#include "preset/eases.h"
+#include "preset/schema.h"
+#include "preset/schema_parts.h"
+
+// The properties that SchemaWriter describes, see describe.h.
+
+namespace frond {
+
+namespace {
+
+Range whole_range(Range range, const SlotType& type) {
+  if (type.is_unsigned && range.min < 0) range.min = 0, range.above_min = false;
+  return range;
+}
+
+std::string_view angle_unit(const Range& range) { return range.unit.empty() ? "degrees" : range.unit; }
+
+Value tidy_real(Slot x) {
+  return x.type->is_float ? tidy_number(x.as<float>()) : tidy_number(x.as<double>());
+}
+
+template <class Real>
+Value tidy_all(const Real* parts, int count) {
+  Value list = make_list();
+  for (int i = 0; i < count; ++i) list.items.push_back(tidy_number(parts[i]));
+  return list;
+}
+
+Value tidy_vector(Slot v) {
+  return v.type->is_float ? tidy_all(&v.as<float>(), v.type->length)
+                          : tidy_all(&v.as<double>(), v.type->length);
+}
+
+Value tidy_key(double x) { return tidy_number(x); }
+Value tidy_key(Vec3 x) { return tidy_all(&x.x, 3); }
+
+template <class T>
+Value animated_default(const Animated<T>& a) {
+  if (a.constant()) return tidy_key(a.keys()[0].value);
+  Value keys = make_list();
+  for (const auto& key : a.keys())
+    keys.items.push_back(make_list({make_number(key.time), tidy_key(key.value)}));
+  return keys;
+}
+
+/// The default of a property, null where it has none.
+template <class Print>
+Value initial(Slot x, Print print) {
+  std::optional<Slot> held = x.held();
+  return held ? print(*held) : Value{};
+}
+
+Value written_schema(std::string_view json) {
+  Result<Document> schema = parse_json(json, "schema");
+  assert(schema.ok() && "the schema of a custom property is no JSON");
+  return schema ? schema->root : make_object();
+}
+
+}  // namespace
+
+Value SchemaWriter::element_schema(const SlotType& element) {
+  switch (element.kind) {
+    case SlotType::Kind::text:
+      return typed("string");
+    case SlotType::Kind::real:
+      return number_schema({});
+    case SlotType::Kind::integer:
+      return integer_schema(whole_range({}, element));
+    case SlotType::Kind::color:
+      return color_schema();
+    case SlotType::Kind::vector:
+      return vector_schema(number_schema({}), static_cast<std::size_t>(element.length));
+    default:
+      return sample_schema(element);
+  }
+}
+
+void SchemaWriter::number(std::string_view name, RealSlot x, const Range& range, std::string_view doc) {
+  add(name, number_schema(range), doc, range.unit, initial(x, tidy_real));
+}
+
+void SchemaWriter::angle(std::string_view name, RealSlot x, const Range& range, std::string_view doc) {
+  add(name, number_schema(range), doc, angle_unit(range), initial(x, [](Slot held) {
+        return tidy_angle(held.type->is_float ? static_cast<double>(held.as<float>()) : held.as<double>());
+      }));
+}
+
+void SchemaWriter::integer(std::string_view name, IntegerSlot n, const Range& range, std::string_view doc) {
+  add(name, integer_schema(whole_range(range, n.held_type())), doc, range.unit,
+      initial(n, [](Slot held) { return make_number(held.type->get(held.at)); }));
+}
+
+void SchemaWriter::boolean(std::string_view name, BooleanSlot b, std::string_view doc) {
+  add(name, typed("boolean"), doc, "", initial(b, [](Slot held) { return make_boolean(held.as<bool>()); }));
+}
+
+void SchemaWriter::text(std::string_view name, TextSlot s, std::string_view doc) {
+  add(name, typed("string"), doc, "",
+      initial(s, [](Slot held) { return make_text(held.as<std::string>()); }));
+}
+
+void SchemaWriter::file(std::string_view name, FileName& file, LoadFile, std::string_view doc, bool) {
+  text(name, file.name, doc);
+}
+
+void SchemaWriter::choose(std::string_view name, Slot e, const ChoiceTable& table, std::string_view doc) {
+  std::vector<std::string_view> names, docs;
+  for (std::size_t i = 0; i < table.size(); ++i) names.push_back(table.name(i)), docs.push_back(table.doc(i));
+  add(name, choice_schema(names), with_choices(doc, names, docs), "", initial(e, [&](Slot held) {
+        Value value;
+        for (std::size_t i = 0; i < table.size(); ++i)
+          if (table.is(i, held)) value = make_text(table.name(i));
+        return value;
+      }));
+}
+
+void SchemaWriter::vector(std::string_view name, VectorSlot v, const Range& range, std::string_view doc) {
+  add(name, vector_schema(number_schema(range), static_cast<std::size_t>(v.held_type().length)), doc,
+      range.unit, initial(v, tidy_vector));
+}
+
+void SchemaWriter::direction(std::string_view name, VectorSlot v, Across across, std::string_view doc) {
+  add(name, direction_schema(across), doc, "", initial(v, tidy_vector));
+}
+
+void SchemaWriter::size(std::string_view name, SizeSlot s, const Range& range, std::string_view doc) {
+  add(name, vector_schema(integer_schema(range), 2), doc, range.unit, initial(s, [](Slot held) {
+        const auto& [width, height] = held.as<std::array<int, 2>>();
+        return make_list({make_number(width), make_number(height)});
+      }));
+}
+
+void SchemaWriter::color(std::string_view name, ColorSlot c, std::string_view doc) {
+  add(name, color_schema(), doc, "", initial(c, [](Slot held) { return color_default(held.as<Color>()); }));
+}
+
+void SchemaWriter::curve(std::string_view name, CurveSlot c, std::string_view doc) {
+  add(name, curve_schema(), doc, "", initial(c, [](Slot held) { return curve_default(held.as<Curve>()); }));
+}
+
+void SchemaWriter::animated(std::string_view name, AnimatedSlot a, const Range& range, std::string_view doc) {
+  bool number = a.held_type().length == 1;
+  Value key = number ? number_schema(range) : vector_schema(number_schema(range), 3);
+  Value shape = number ? of<KeyShape<double>>() : of<KeyShape<Vec3>>();
+  add(name, animated_schema(key, shape), doc, range.unit, initial(a, [&](Slot held) {
+        return number ? animated_default(held.as<Animated<double>>())
+                      : animated_default(held.as<Animated<Vec3>>());
+      }));
+}
+
+void SchemaWriter::object(std::string_view name, ObjectSlot o, std::string_view doc) {
+  bool optional = o.type->kind == SlotType::Kind::optional;
+  add(name, optional ? sample_schema(o.held_type()) : schema_of(o), doc);
+}
+
+void SchemaWriter::list(std::string_view name, ListSlot l, const Count& count, std::string_view doc) {
+  add(name, list_schema(element_schema(*l.held_type().element), count), doc);
+}
+
+void SchemaWriter::pairs(std::string_view name, PairsSlot, std::string_view doc) {
+  add(name, pairs_schema(), doc);
+}
+
+void SchemaWriter::tagged(std::string_view name, ObjectSlot o, const KindTable& kinds, std::string_view doc) {
+  add(name, tagged_schema(o.held_type(), kinds), doc);
+}
+
+void SchemaWriter::tagged_list(std::string_view name, ListSlot l, const KindTable& kinds,
+                               std::string_view doc) {
+  add(name, list_schema(tagged_schema(*l.held_type().element, kinds), {}), doc);
+}
+
+void SchemaWriter::inheriting_list(const Inheritance& names, ListSlot l, const KindTable& kinds,
+                                   std::string_view doc) {
+  const SlotType& one = *l.held_type().element;
+  Value all = defaults_of(one, kinds);
+  add(names.force, list_schema(make_object().set("enum", make_texts(paths_of(all))), {}),
+      "Properties that all organisms take from the defaults, whatever their own value");
+  add(names.defaults, std::move(all), "Properties of all organisms that do not give their own");
+  Value element = without_required(tagged_schema(one, kinds));
+  auto has = [](std::string_view name) {
+    return make_object().set("required", make_list({make_text(name)}));
+  };
+  element.remove("required");
+  element.set("anyOf", make_list({has("kind"), has(names.instead)}));
+  add(names.list, list_schema(element, {}), doc);
+}
+
+void SchemaWriter::read_custom(std::string_view name, Slot, ReadCustom, std::string_view schema,
+                               std::string_view doc) {
+  add(name, written_schema(schema), doc);
+}
+
+}  // namespace frond

@@ -1,0 +1,178 @@
+#include "organisms/describe.h"
+
+#include "images/describe_mask.h"
+#include "organisms/describe_edits.h"
+#include "preset/keys.h"
+
+namespace frond {
+
+namespace {
+
+constexpr Choice<Layer> kLayers[] = {{"canopy", Layer::canopy, "trees"},
+                                     {"shrubs", Layer::shrubs, "bushes and young trees"},
+                                     {"herbs", Layer::herbs, "ferns, grass, stones"}};
+
+}  // namespace
+
+void describe(Properties& v, Warmth& w) {
+  v.number("lowest", w.lowest, {.min = -20, .max = 40, .unit = "degrees Celsius"},
+           "Mean temperature of the growing season at the lowest of the land; it falls by 0.6 each 100 m");
+  v.number("full", w.full, {.min = -20, .max = 40, .unit = "degrees Celsius"},
+           "Temperature down to which copies reach their full size and number");
+  v.number("least", w.least, {.min = -20, .max = 40, .unit = "degrees Celsius", .sense = "6.4 the tree line"},
+           "Temperature below which no copy comes up");
+  v.number("dwarf", w.dwarf, {.min = 0.01, .max = 1}, "Factor of the size of copies at that temperature");
+}
+
+void describe(Properties& v, SowRules& s) {
+  v.choice("layer", s.layer, kLayers,
+           "Layer of the wood that copies belong to; crowns of one layer keep apart, those of different "
+           "layers may overlap");
+  v.number("radius", s.radius, {.min = 0, .max = 100, .above_min = true, .unit = "m"},
+           "Radius of a crown, within which no other of the same layer comes up");
+  v.number("stem", s.stem, {.min = 0, .max = 50, .unit = "m"},
+           "Radius round a stem that plants of other layers keep free");
+  v.vector("altitude", s.altitude, {.min = -1e5, .max = 1e5, .unit = "m"},
+           "Lowest and highest altitude at which copies come up, above the lowest point of the land");
+  v.object("warmth", s.warmth,
+           "How copies become smaller and fewer with altitude, as trees toward the tree line; not given: "
+           "they do not");
+  v.angle("slope", s.slope, {.min = 0, .max = 90}, "Steepest slope on which copies come up");
+  v.number("patch", s.patch, {.min = 0, .max = 10000, .unit = "m"},
+           "Distance from one clump to the next; 0 spreads copies evenly");
+  v.number("cover", s.cover, {.min = 0, .max = 1},
+           "Share of the land that clumps cover. Needs a patch above 0");
+  v.vector("shade", s.shade, {.min = 0, .max = 1},
+           "Least and greatest share of the sky that crowns above may hide");
+  v.number("clear", s.clear, {.min = -100, .max = 1000, .unit = "m"},
+           "Distance that copies keep from the edge of a path; negative lets them stand on it");
+  v.vector("center", s.center, {.min = -1e4, .max = 1e4, .unit = "m"},
+           "The middle of the area that is sown, x and z. Needs a reach above 0");
+  v.number("reach", s.reach, {.min = 0, .max = 1e4, .unit = "m"},
+           "Radius of the area that is sown; 0 is all of the land");
+  v.object("map", s.map,
+           "A picture that scales the density of copies over the land; a bare file name will do");
+}
+
+void describe(Properties& v, CopyTint& t) {
+  v.angle("hue", t.hue, {.min = 0, .max = 180}, "Angle by which the hue of copies differs, either way");
+  v.number("saturation", t.saturation, {.min = 0, .max = 1},
+           "Share by which the saturation of copies differs, either way");
+  v.number("value", t.value, {.min = 0, .max = 1},
+           "Share by which the brightness of copies differs, either way");
+}
+
+void describe(Properties& v, Sowing& s) {
+  v.integer("models", s.models, {.min = 1, .max = 64},
+            "Number of different models that are grown and copied, each from a seed of its own");
+  v.list("seeds", s.seeds, "Seeds of the models; a model without one takes its number");
+  v.number("crowd", s.crowd, {.min = 0, .max = 100, .unit = "m"},
+           "Distance to the neighbours among which model trees grow up; 0 grows them in the open");
+  v.object("where", s.where, "Rules that say where copies come up");
+  v.object("tint", s.tint, "How the colours of copies differ");
+  v.number("upright", s.upright, {.min = 0, .max = 1},
+           "How upright copies stand on a slope: 1 plumb, 0 at right angles to the ground");
+  v.vector(
+      "present", s.present, {.min = 0, .max = 1},
+      "First and last time of the year, 0 to 1, at which copies are above the ground, as mushrooms are in "
+      "autumn; it may run past the end of the year. Without /scene/year they always are");
+}
+
+namespace {
+
+constexpr Choice<Build> kBuilds[] = {
+    {"sweeps", Build::sweeps, "each branch by itself"},
+    {"fused", Build::fused, "branches grown into one body, rounded at the forks"},
+    {"rough", Build::rough, "one body whose skin has the steps of a coarse grid"},
+    {"voxels", Build::voxels, "built of cubes"}};
+
+}  // namespace
+
+void describe(Properties& v, Stance& s) {
+  v.angle("turn", s.turn, {.min = -360, .max = 360}, "Turn about the vertical, besides that of all");
+  v.number("size", s.size, {.min = 0.01, .max = 100}, "Factor of its size, besides the random change");
+}
+
+void describe(Properties& v, Place& p) {
+  v.list("at", p.at,
+         "Places [x, z] of the first ones, within 30 m of the middle or anywhere on the land of a forest; "
+         "the others are scattered");
+  v.list("each", p.each,
+         "How those at the places of `at` stand, one by one; trees that grow by light only move");
+  v.text(
+      "in", p.in,
+      "Name of rooms of the plan, or \"gate\", \"corners\" or \"doors\": `count` stand in each of them, the "
+      "first at the places of `at`, which then count from its middle, z out of the room, and the others "
+      "scattered");
+  v.text(
+      "along", p.along,
+      "Name of rooms of the plan along whose edges they stand, or \"walls\" for the line round it: walls as "
+      "long as each edge, all else twice `spacing` apart");
+  v.vector("center", p.center, {.min = -28, .max = 28, .unit = "m"},
+           "Middle of the ring in which the others are scattered, x and z");
+  v.number("inner", p.inner, {.min = 0, .max = 28, .unit = "m"}, "Inner radius of the ring");
+  v.number("radius", p.radius, {.min = 0, .max = 28, .unit = "m"}, "Outer radius of the ring");
+  v.number("spacing", p.spacing, {.min = 0, .max = 100, .unit = "m"},
+           "Distance that others keep from each of them, sown ones included");
+  v.number("size_variation", p.size_variation, {.min = 0, .max = 0.9},
+           "Random change of the size, as a share of it");
+  v.angle("turn", p.turn, {.min = -360, .max = 360}, "Turn about the vertical");
+  v.angle("turn_variation", p.turn_variation, {.min = 0, .max = 180},
+          "Random change of the turn, either way");
+  v.angle("lean", p.lean, {.min = 0, .max = 90}, "Angle by which each leans at most, at random");
+  v.number("raise", p.raise, {.min = -100, .max = 1000, .unit = "m"}, "Height of the foot above the ground");
+  v.number("rock", p.rock, {.min = 0, .max = 100, .unit = "m"},
+           "Width of the rock under each, for corals and plants under water; 0 lays none");
+  v.list("on", p.on,
+         "Names of the bodies that colonies (corals, sponges) stand on, scattered over all of them that does "
+         "not "
+         "face downward; without it they stand on the ground");
+  v.number("upright", p.upright, {.min = 0, .max = 1},
+           "How upright they stand on a slope of such a body: 1 plumb, 0 at right angles to it");
+}
+
+void describe(Properties& v, Style& s) {
+  v.shorthand("build");
+  v.choice("build", s.build, kBuilds, "What branches are drawn as");
+  v.number(
+      "voxel", s.voxel, {.min = 0, .max = 100, .unit = "m"},
+      "Size of a voxel of a fused or rough body, or of a cube; 0 takes it from the size of the organism. "
+      "Needs build other than sweeps");
+  v.number("blend", s.blend, {.min = 0, .max = 3},
+           "How far branches flow into each other at forks, as a share of the thinner one's radius. Needs "
+           "\"build\": \"fused\" or \"rough\"");
+  v.number("adaptivity", s.adaptivity, {.min = 0, .max = 1},
+           "How unequal the triangles of a fused body may be: 0 all alike, 1 few where the body is flat. "
+           "Needs \"build\": \"fused\"");
+  v.number("roughness", s.roughness, {.min = 0, .max = 1},
+           "How much of the grid the skin of a rough body shows: 0 is the plain mesh of its volume, 1 has "
+           "steps as high as a voxel. Needs \"build\": \"rough\"");
+  v.number(
+      "limit", s.limit, {.min = 1e6, .max = 1e15, .unit = "bytes"},
+      "Memory that one volume may take; one that would need more is refused. Needs build other than sweeps");
+}
+
+void describe(Properties& v, Organism& o) {
+  v.text(
+      "species", o.species,
+      "Another preset, named as seen from this one's folder: the kind of its first organism and all that it "
+      "says of how that grows and looks stand wherever this one has nothing of its own");
+  v.text("name", o.name, "Your name for it, by which messages and ivy's `on` call it");
+  if (v.purpose() != Purpose::keys)
+    v.text("group", o.group,
+           "A name under which the studio lists it with others; it grows and looks the same");
+  v.integer("count", o.count, {.min = 0, .max = 1000000},
+            "How many there are, those at given places included");
+  v.object("place", o.place, "Where they stand");
+  v.list("edits", o.edits, Count{0, 10000},
+         "Edits of branches by hand: cuts, bends, limbs that grow stronger, are bare or wear another bark");
+  v.object("sown", o.sown, "Makes copies of a few models and sows them over the land, `count` of them");
+  v.object("body", o.style, "What their branches are drawn as");
+}
+
+void describe_rest(KeyWriter& v, Organism& o) {
+  Keys keys = o.grower->keys();
+  v.add("kind", keys);
+}
+
+}  // namespace frond

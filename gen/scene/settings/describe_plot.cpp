@@ -1,0 +1,49 @@
+#include "settings/describe_plot.h"
+
+#include "preset/describe_spline.h"
+
+namespace frond {
+
+void describe_place(Properties& v, Moment& m) {
+  v.angle("south", m.south, {.min = -360, .max = 360},
+          "Direction in which south lies, where the sun stands at noon: 0 toward +z, 90 toward +x");
+  v.angle("latitude", m.latitude, {.min = -90, .max = 90},
+          "How far north of the equator it is: 0 tropics, 50 middle Europe; negative is south of it");
+  v.number("day", m.day, {.min = 1, .max = 366},
+           "Day of the year: 80 spring, 172 midsummer, 266 autumn, 355 midwinter of the north");
+}
+
+void describe(Properties& v, PondShape& p) {
+  v.vector("center", p.center, {.min = -28, .max = 28, .unit = "m"}, "Middle of the pond, x and z");
+  v.vector("size", p.size, {.min = 0, .max = 20, .unit = "m"},
+           "Distance from the middle to the shore along x and along z; 0 is no pond");
+  v.number("depth", p.depth, {.min = 0.1, .max = 5, .unit = "m"}, "Depth of the pond's bed below the lawn");
+  v.number("level", p.level, {.min = -2, .max = 0, .unit = "m"},
+           "Height of the water above the lawn; negative is below it");
+}
+
+void describe(Properties& v, PathShape& p) {
+  v.list("points", p.points,
+         "Points [x, z] in metres of a smooth curve, or objects with handles; fewer than two make no path");
+  v.number("width", p.width, {.min = 0.1, .max = 20, .unit = "m"}, "Width of the path");
+}
+
+namespace {
+
+constexpr Choice<GroundArea::Kind> kAreaKinds[] = {
+    {"gravel", GroundArea::Kind::gravel, "as on the path"},
+    {"earth", GroundArea::Kind::earth, "as in a bed of flowers, raised a little"}};
+
+}  // namespace
+
+void describe(Properties& v, GroundArea& a) {
+  v.choice("kind", a.kind, kAreaKinds, "What lies on the area");
+  v.vector("center", a.center, {.min = -30, .max = 30, .unit = "m"}, "Middle of the area, x and z");
+  v.vector("size", a.size, {.min = 0.05, .max = 60, .unit = "m"}, "Extent of the area along x and along z");
+  v.list("outline", a.outline, Count{3, 400},
+         "Corners [x, z] in metres of an area of another shape, or objects with handles, in place of center "
+         "and size");
+  v.boolean("curve", a.curve, "Whether the outline is smooth at corners without handles, too");
+}
+
+}  // namespace frond
