@@ -13,7 +13,7 @@ namespace frond {
 void add_assets(CLI::App* command, std::optional<std::string>& assets);
 void add_preset(CLI::App* command, PresetArguments& preset);
 void add_sets(CLI::App* command, std::vector<std::string>& sets);
-/// Turns the word of an option into the file that `find` gives for it, see app/named.h.
+/// Turns the word of an option into the file that `find` gives for it, see cli/named.h.
 CLI::Validator named_by(std::string (*find)(const std::string&));
 /// Of those to whose results it matters: how large, fine and many pictures are; also their size on paper and
 /// what is behind them; also which part of them is drawn, and how deep.
