@@ -183,7 +183,7 @@ void describe(Properties& v, BarkChange& b) {
   v.color("color", b.color, "Colour of the surface, of the ridges of a picture, and of young shoots");
   v.color("second", b.second, "Colour in the furrows and bands");
   v.choice("pattern", b.pattern, kBarkPatterns,
-           "Pattern of the branch's picture. Needs a plant that wears one, see coat");
+           "Pattern of the branch's picture, where the plant wears one, see coat");
   v.number("lichens", b.lichens, {.min = 0, .max = 1}, "Share of the bark that lichens cover");
 }
 
