@@ -55,6 +55,15 @@ inline to_chars_result to_chars(char* first, char* last, double value, chars_for
   return {first + length, errc{}};
 }
 
+/// The same of a number of single precision.
+inline to_chars_result to_chars(char* first, char* last, float value) {
+  auto room = static_cast<size_t>(last - first);
+  int digits = 1, length = 0;
+  do length = snprintf(first, room, "%.*g", digits, static_cast<double>(value));
+  while (strtof(first, nullptr) != value && ++digits <= 9);
+  return {first + length, errc{}};
+}
+
 namespace ranges {
 
 template <class Range, class Value, class Projection = identity>
