@@ -9,7 +9,6 @@
 #include "core/parallel.h"
 #include "core/work_folder.h"
 #include "export/formats.h"
-#include "film/film_files.h"
 #include "grammar/figure.h"
 #include "grammar/picture.h"
 #include "grammar/review.h"
@@ -167,11 +166,7 @@ struct Scene::Data {
 
 Scene grow(const Preset& preset, Listener* listener) {
   Ears ears(listener);
-  Result<frond::Scene> scene =
-      build_scene(preset.data().preset,
-                  {.begin = [&](std::string_view phase, std::size_t steps) { ears.begin(phase, steps); },
-                   .step = [&] { ears.step(); },
-                   .cancelled = [&] { return ears.cancelled(); }});
+  Result<frond::Scene> scene = build_scene(preset.data().preset, sink_of(ears));
   if (ears.cancelled()) throw Cancelled();
   return Scene(std::make_shared<Scene::Data>(Scene::Data{or_throw(std::move(scene))}));
 }
@@ -197,8 +192,7 @@ std::string Scene::passes(std::optional<int> frame, int side) const {
   if (side < 1 || side > 16) throw Failure({{"", "side: expected 1 to 16"}}, true);
   int number = data_->frame(frame);
   WorkFolder models;
-  Result<CopyPlan> plan = write_models(data_->scene, models.path(), {[](auto, auto) {}, [] {}});
-  TracedFilm film = or_throw(TracedFilm::of(data_->scene, or_throw(std::move(plan), false)), false);
+  TracedFilm film = or_throw(traced_film(data_->scene, models.path()), false);
   return or_throw(pass_picture(data_->scene, or_throw(frame_passes(data_->scene, film, number, side))));
 }
 

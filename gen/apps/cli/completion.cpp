@@ -38,12 +38,11 @@ Words kind_names() {
 }
 
 /// What a path of the documentation is called in a preset: `tree/habit/pace` of the second organism
-/// `/organisms/1/habit/pace`; empty where it has no place in that preset.
-void add_pointers(const Topic& topic, const Words& kinds, std::set<std::string>& pointers) {
+/// `/organisms/1/habit/pace`; `all` are the names of kinds, `kinds` those of the organisms in their order.
+void add_pointers(const Topic& topic, const Words& all, const Words& kinds, std::set<std::string>& pointers) {
   std::size_t slash = topic.path.find('/');
   std::string head = topic.path.substr(0, slash);
   bool of_all = head == "organism";
-  const Words all = kind_names();
   if (slash == topic.path.npos || (!of_all && std::ranges::find(all, head) == all.end())) {
     pointers.insert("/" + topic.path);
     return;
@@ -69,8 +68,9 @@ Words pointers_in(const Words& words) {
     break;
   }
   std::set<std::string> pointers;
+  const Words all = kind_names();
   if (Result<Document> schema = parse_json(preset_schema(), "schema"))
-    for (const Topic& topic : topics_of(schema->root)) add_pointers(topic, kinds, pointers);
+    for (const Topic& topic : topics_of(schema->root)) add_pointers(topic, all, kinds, pointers);
   Words list;
   for (const std::string& pointer : pointers) list.push_back(pointer + "=");
   return list;

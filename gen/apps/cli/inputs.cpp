@@ -13,7 +13,6 @@
 #include "core/files.h"
 #include "core/home.h"
 #include "core/text.h"
-#include "film/film_files.h"
 #include "grammar/kind.h"
 #include "preset/json.h"
 #include "preset/range_text.h"
@@ -115,12 +114,6 @@ std::string nearest_presets(const std::string& path) {
     if (stems[i] == near && !is_grammar(files[i].string()))
       found += fmt::format("{}\"{}\"", found.empty() ? "" : " or ", fs::proximate(files[i]).string());
   return found.empty() ? "" : fmt::format("; did you mean {}?", found);
-}
-
-Result<TracedFilm> traced_film(const Scene& scene, const std::filesystem::path& models) {
-  Result<CopyPlan> plan = write_models(scene, models, {[](auto, auto) {}, [] {}});
-  if (!plan) return plan.errors();
-  return TracedFilm::of(scene, std::move(*plan));
 }
 
 Result<Assets> assets_of(const std::string& path, const std::optional<std::string>& named) {

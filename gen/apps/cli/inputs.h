@@ -6,8 +6,8 @@
 #include "cli/messages.h"
 #include "core/assets.h"
 #include "core/result.h"
-#include "passes/traced_film.h"
 #include "pipeline/frame_range.h"
+#include "pipeline/pass_picture.h"
 #include "scene/preset.h"
 
 namespace frond {
@@ -25,9 +25,6 @@ std::string nearest_presets(const std::string& path);
 
 /// Reads the preset that the command line names, with its overrides.
 Result<Preset> load_preset(const PresetArguments& arguments);
-
-/// A scene made to be traced, with its sown models, whose files are kept in that folder.
-Result<TracedFilm> traced_film(const Scene& scene, const std::filesystem::path& models);
 
 /// The files that a preset or a grammar of that path may name; `named` is `--assets`.
 Result<Assets> assets_of(const std::string& path, const std::optional<std::string>& named);

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <map>
 
+#include "film/film_files.h"
 #include "images/cryptomatte.h"
 #include "images/exr.h"
 
@@ -59,6 +60,12 @@ Cryptomatte masks_of(const Scene& scene, const FramePasses& passes, const std::s
 }
 
 }  // namespace
+
+Result<TracedFilm> traced_film(const Scene& scene, const std::filesystem::path& models) {
+  Result<CopyPlan> plan = write_models(scene, models, {[](auto, auto) {}, [] {}});
+  if (!plan) return plan.errors();
+  return TracedFilm::of(scene, std::move(*plan));
+}
 
 Result<std::string> pass_picture(const Scene& scene, const FramePasses& passes) {
   Channels channels;

@@ -20,7 +20,6 @@
 #include "pipeline/out_folder.h"
 #include "pipeline/pace.h"
 #include "resolve/resolve.h"
-#include "scene/scene.h"
 
 namespace frond {
 
@@ -179,17 +178,6 @@ Result<CostEstimate> borne_cost(const FilmFolder& film, const Machine& machine, 
   return estimate;
 }
 
-/// Tells the events of a run how far a scene is.
-ProgressSink sink_of(RunEvents& events) {
-  return {.begin =
-              [&events](std::string_view phase, std::size_t steps) {
-                events.end();
-                events.begin(phase, steps);
-              },
-          .step = [&events] { events.step(); },
-          .cancelled = [&events] { return events.cancelled(); }};
-}
-
 Result<Scene> grow_scene(const FilmFolder& film, RunEvents& events) {
   events.doing("growing what stands in the scene");
   Result<Scene> scene = build_scene(film.preset, sink_of(events));
@@ -242,6 +230,16 @@ Errors refuse_place(const fs::path& out) {
 }
 
 }  // namespace
+
+ProgressSink sink_of(RunEvents& events) {
+  return {.begin =
+              [&events](std::string_view phase, std::size_t steps) {
+                events.end();
+                events.begin(phase, steps);
+              },
+          .step = [&events] { events.step(); },
+          .cancelled = [&events] { return events.cancelled(); }};
+}
 
 Outcome write_film(const FilmFolder& film, RunEvents& events) {
   Result<std::string> layout = read_file(film.home / "templates" / "frame.pov");

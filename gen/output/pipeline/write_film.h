@@ -9,7 +9,7 @@
 #include "jobs/jobs.h"
 #include "pipeline/events.h"
 #include "pipeline/frame_range.h"
-#include "scene/preset.h"
+#include "scene/scene.h"
 
 namespace frond {
 
@@ -35,6 +35,9 @@ struct Outcome {
 
   bool well() const { return errors.empty() && !stopped; }
 };
+
+/// What tells the events of a run how far a scene is.
+ProgressSink sink_of(RunEvents& events);
 
 /// Grows the scene and writes its frames, what they include, and build.ninja and manifest.json, which say how
 /// they are rendered. What earlier runs have left there that nothing needs is removed. Nothing is grown that
