@@ -14,7 +14,8 @@ namespace frond {
 
 namespace {
 
-constexpr int kViews = 3, kWholeViews = 4;             // of a bough, of a whole plant
+constexpr int kViews = 3, kWholeViews = 4;             // of a bough, of a whole plant with its top
+constexpr float kTall = 1.2f;                          // times its width: a plant that needs no top
 constexpr float kLeast = 0.75;                         // of its width, that a card of a whole plant keeps
 constexpr std::array<double, 2> kFit = {0.85, 1.05};   // by which leaves are scaled, in one of two steps
 constexpr std::array<double, 2> kShares = {0.2, 1.5};  // of what portraits cover, that cards may show
@@ -167,6 +168,7 @@ std::vector<Side> whole_sides(Bough& whole, int pixels) {
   whole.middle = glm::clamp(Vec3(0, middle.y, 0), whole.box.low, whole.box.high);
   std::vector<Side> sides = upright();
   if (std::ranges::min(sides, {}, &Side::scale).scale < kLeast) whole.middle = middle, sides = upright();
+  if (size.y > kTall * std::max(size.x, size.z)) return sides;
   float sum = 0, height = 0;
   for (const Sitter& sitter : whole.sitters) {
     const Surface& s = sitter.part->surface;

@@ -10,6 +10,7 @@
 #include "core/printable.h"
 #include "dress/bleaching.h"
 #include "export/bodies.h"
+#include "export/foliage.h"
 #include "geometry/far.h"
 
 namespace frond {
@@ -18,6 +19,7 @@ namespace {
 
 constexpr double kNear = 0.85;    // a share that is no less is as good as all
 constexpr double kFarMore = 1.8;  // times their share, that leaves may take
+constexpr double kCoarse = 1.4;   // times those of the first level: edges of leaves that are no pictures
 constexpr int kBoughTriangles = 6, kBoughPictures = 3;
 
 /// About so large a share of a part's triangles.
@@ -36,6 +38,16 @@ double sum(const std::vector<ExportPart>& parts, const auto& counted) {
   for (const ExportPart& p : parts)
     if (counted(p)) triangles += static_cast<double>(p.surface.triangle.size());
   return triangles;
+}
+
+/// The longest edge of leaves that are drawn by triangles alone, metres.
+double longest_stand_in(const ExportScene& exported, const std::vector<ExportPart>& parts) {
+  double longest = 0;
+  for (const ExportPart& part : parts) {
+    const ExportMaterial& material = exported.materials[part.material];
+    if (material.leaf && !material.cutout) longest = std::max(longest, longest_edge(part.surface));
+  }
+  return longest;
 }
 
 }  // namespace
@@ -94,8 +106,9 @@ std::optional<std::size_t> Maker::mesh(const std::string& part, std::vector<Expo
   for (ExportPart& p : parts)
     if (factor < kNear && !exported.materials[p.material].leaf) make_coarser(p, factor);
   double wanted = share() * triangles_of(mesh.parts);
+  bool coarse = longest_stand_in(exported, parts) > kCoarse * longest_stand_in(exported, mesh.parts);
   if (options.texture > 0 && solid_triangles(exported, parts) == 0 &&
-      triangles_of(parts) > kFarMore * wanted) {
+      (coarse || triangles_of(parts) > kFarMore * wanted)) {
     int boughs = static_cast<int>(std::min(wanted / kBoughTriangles, 1e6));
     crossed.push_back({{of->second},
                        static_cast<std::size_t>(level),

@@ -48,7 +48,8 @@ struct Maker {
 
   /// Adds a mesh without a placement; nothing where its parts are empty. At a coarser level it is added to
   /// the mesh of that name, its wood and bodies in no more triangles than their share, and nothing is to be
-  /// placed. Leaves that take far more than their share become pictures of boughs.
+  /// placed. Leaves that take far more than their share, or would be drawn as much larger ones without
+  /// pictures, become pictures of boughs.
   std::optional<std::size_t> mesh(const std::string& part, std::vector<ExportPart> parts);
   void place(std::size_t mesh, Vec3 at, Quat turn, Vec3 scale) {
     exported.placements.push_back({mesh, at, turn, scale, exported.groups.size() - 1});
