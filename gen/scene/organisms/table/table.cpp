@@ -177,15 +177,18 @@ class TableGrower final : public BodyColony<TableParams> {
     return longer_edges(*this, share, [](auto& p) -> double& { return p.edge; });
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
-    constexpr double kBothSides = 1.6,
-                     kNarrow = 1.5;     // of the square across; rows are nearer than edges long
-    constexpr double kPlateHeld = 2.5;  // of its past, while the plate grows and is coarsened
-    double square = params.across * params.across;
-    SizeEstimate sight = estimate_surface(kNarrow * kBothSides * square, params.edge);
-    sight.area = kBothSides * square;
+    constexpr double kBothSides = 1.6;  // of the square across
+    constexpr double kOneTier = 55;     // edges across; the lobes of finer rims overlap
+    constexpr double kCrowd = 0.5,
+                     kBranchletArea = 1.4;  // branchlets on a square of the spacing; of its sides
+    constexpr double kBranchletTriangles = 42, kPlateHeld = 2.5;  // of its past, while it is coarsened
+    double square = params.across * params.across, spacing = params.spacing;
+    double tiers = std::max(1.0, params.across / params.edge / kOneTier);
+    double branchlets = tiers * kCrowd * square / (spacing * spacing);
+    SizeEstimate sight = estimate_surface(tiers * kBothSides * square, params.edge);
+    sight.area += branchlets * kBranchletArea * spacing * params.branchlet;
     sight.held *= kPlateHeld;
-    // Branchlets are added to what is seen of the plate.
-    sight.triangles += 40 * square / (params.spacing * params.spacing);
+    sight.triangles += kBranchletTriangles * branchlets;
     return sight;
   }
   Result<Model> grow_at(const Surroundings& around, Seed seed) const override {
