@@ -32,8 +32,6 @@ if ((${#targets[@]} == 0)); then
 fi
 
 cd -- "$root"
-# What a compiler cache holds of one checkout serves another.
-export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
 mkdir -p build
 log=build/build.log
 exec {lock}>build/.lock

@@ -5,6 +5,8 @@ root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 frond=${FROND_BIN:-$root/build/frond}
 export root
 export LC_ALL=C.UTF-8  # so that what programs say can be read
+# What a compiler cache holds of one checkout serves another.
+export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
 
 # A colour is for a terminal, and only where nobody asked for none.
 _error_mark='error:'
