@@ -46,6 +46,21 @@ inline Vec3 direction_or(Vec3 v, Vec3 otherwise, float least = 1e-9f) {
   return glm::length(v) > least ? glm::normalize(v) : otherwise;
 }
 
+/// A coordinate axis that is not parallel to a direction of length 1: y, or x within 26 degrees of y.
+template <class V>
+V reference_axis(V direction) {
+  using T = typename V::value_type;
+  return std::abs(direction.y) < T(0.9) ? V(0, 1, 0) : V(1, 0, 0);
+}
+
+/// The direction that is upward in a picture seen along a direction of length 1: y, or -z where it looks
+/// straight up or down.
+template <class V>
+V sky_axis(V direction) {
+  using T = typename V::value_type;
+  return std::abs(direction.y) > T(0.999) ? V(0, 0, -1) : V(0, 1, 0);
+}
+
 /// The axes of what is scaled along its own and then turned.
 inline glm::mat3 axes_of(Quat turn, Vec3 scale) {
   glm::mat3 axes = glm::mat3_cast(turn);

@@ -42,7 +42,7 @@ Vec3 sky(const Ambience& ambience, Vec3 direction) {
 
 Eye eye_toward(Vec3 at, Vec3 toward, double broad, double tall, double pixel) {
   Vec3 ahead = glm::normalize(toward - at);
-  Vec3 sky = std::abs(ahead.y) > 0.999f ? Vec3(0, 0, -1) : Vec3(0, 1, 0);
+  Vec3 sky = sky_axis(ahead);
   return {at, ahead, glm::normalize(sky - ahead * glm::dot(sky, ahead)), broad, tall, pixel};
 }
 

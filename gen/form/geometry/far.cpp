@@ -73,7 +73,7 @@ void add_leaf(Surface& out, const Surface& s, const Piece& piece, FarLeaf as, fl
   float open = glm::length(piece.facing) / piece.area, covered = piece.area;
   if (open < 0.2f) {  // a closed body shows a quarter of its surface
     covered *= 0.25f;
-    facing = glm::cross(axis, std::abs(axis.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0));
+    facing = glm::cross(axis, reference_axis(axis));
   }
   facing = glm::length(facing) > 1e-9f ? glm::normalize(facing)
                                        : glm::normalize(glm::cross(axis, Vec3(0.3f, 1, 0.2f)));

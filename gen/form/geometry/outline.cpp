@@ -20,7 +20,7 @@ std::vector<Vec2> flatten(std::span<const Vec3> points) {
   Vec3 normal = outline_area(points);
   float length = glm::length(normal);
   normal = length > 0 ? normal / length : Vec3(0, 0, 1);
-  Vec3 x = glm::normalize(glm::cross(std::abs(normal.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0), normal));
+  Vec3 x = glm::normalize(glm::cross(reference_axis(normal), normal));
   Vec3 y = glm::cross(normal, x);
   std::vector<Vec2> flat;
   flat.reserve(points.size());

@@ -27,7 +27,7 @@ Flat flatten(std::span<const DVec3> points) {
   DVec3 normal = polygon_area(points);
   double length = glm::length(normal);
   normal = length > 0 ? normal / length : DVec3(0, 0, 1);
-  DVec3 x = glm::normalize(glm::cross(std::abs(normal.y) < 0.9 ? DVec3(0, 1, 0) : DVec3(1, 0, 0), normal));
+  DVec3 x = glm::normalize(glm::cross(reference_axis(normal), normal));
   DVec3 y = glm::cross(normal, x);
   double extent = 0;
   for (const DVec3& p : points) extent = std::max(extent, glm::distance(p, points[0]));

@@ -12,7 +12,7 @@ namespace frond {
 namespace {
 
 Vec3 any_normal(Vec3 axis) {
-  return glm::normalize(glm::cross(axis, std::abs(axis.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0)));
+  return glm::normalize(glm::cross(axis, reference_axis(axis)));
 }
 
 /// The normal of the next ring, a step farther on: it turns about the branch no more than it must (double

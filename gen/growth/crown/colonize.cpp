@@ -182,7 +182,7 @@ std::vector<LeafSite> dress_tips(const Skeleton& s, double reach, double spacing
     float length = glm::length(offset);
     if (length < 1e-6f) continue;
     Vec3 axis = offset / length;
-    Vec3 side = glm::cross(axis, std::abs(axis.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0));
+    Vec3 side = glm::cross(axis, reference_axis(axis));
     Quat frame =
         glm::quat_cast(glm::mat3(glm::normalize(side), axis, glm::normalize(glm::cross(side, axis))));
     // The leaves of a branch are counted by their distance from the root, so that they go on from segment to

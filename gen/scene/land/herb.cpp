@@ -162,7 +162,7 @@ namespace {
 void add_spindle(Surface& s, Vec3 foot, Vec3 tip, float radius, float v, float belly) {
   Corners corners{s, v};
   Vec3 axis = glm::normalize(tip - foot);
-  Vec3 x = glm::normalize(glm::cross(axis, std::abs(axis.y) < 0.9f ? kUp : Vec3(1, 0, 0)));
+  Vec3 x = glm::normalize(glm::cross(axis, reference_axis(axis)));
   Vec3 y = glm::cross(axis, x), middle = foot + (tip - foot) * belly;
   corners.add(foot, glm::normalize(kUp - axis), 0);
   for (int i = 0; i < 3; ++i) {

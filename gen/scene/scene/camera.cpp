@@ -54,7 +54,7 @@ Lens lens_at(const Camera& camera, double time, double aspect) {
   Lens lens;
   lens.at = camera.location.at(time);
   lens.toward = glm::normalize(camera.look_at.at(time) - lens.at);
-  Vec3 sky = std::abs(lens.toward.y) > 0.999f ? Vec3(0, 0, -1) : Vec3(0, 1, 0);
+  Vec3 sky = sky_axis(lens.toward);
   lens.right = glm::normalize(glm::cross(lens.toward, sky));
   lens.up = glm::cross(lens.right, lens.toward);
   lens.wide = static_cast<float>(std::tan(radians(camera.angle.at(time)) / 2));

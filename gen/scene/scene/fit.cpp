@@ -100,7 +100,7 @@ double farthest(const std::vector<Vec3>& points, DVec3 n) {
 /// The place nearest to the points from which all of them are between the four planes that bound the view.
 View filled(Vec3 toward, const std::vector<Vec3>& points, double wide, double high) {
   DVec3 f = glm::normalize(DVec3(toward));
-  DVec3 up = std::abs(f.y) > 0.999 ? DVec3(0, 0, -1) : DVec3(0, 1, 0);
+  DVec3 up = sky_axis(f);
   DVec3 r = glm::normalize(glm::cross(f, up)), u = glm::cross(r, f);
   double right = farthest(points, r - wide * f), left = farthest(points, -r - wide * f);
   double top = farthest(points, u - high * f), bottom = farthest(points, -u - high * f);

@@ -97,7 +97,7 @@ DrawnPolyps drawn_polyps(const DrawnBranches& branches, const Eye& eye) {
     float length = glm::length(axis), radius = rest.radius[i];
     if (length <= 0) continue;
     axis /= length;
-    Vec3 side = glm::normalize(glm::cross(axis, std::abs(axis.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0)));
+    Vec3 side = glm::normalize(glm::cross(axis, reference_axis(axis)));
     Vec3 other = glm::cross(axis, side);
     // As many as have room round the branch: one each so far along it.
     float pitch = std::min(apart, 0.87f * apart * apart / (2 * static_cast<float>(kPi) * radius));

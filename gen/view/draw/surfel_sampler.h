@@ -60,7 +60,7 @@ struct SurfelSampler {
         int round = r > 0.7f * step ? static_cast<int>(std::min(std::ceil(6.2832f * r / step), 256.0f)) : 1;
         Vec3 ahead = offset / length;
         Vec3 side =
-            glm::normalize(glm::cross(ahead, std::abs(ahead.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0)));
+            glm::normalize(glm::cross(ahead, reference_axis(ahead)));
         Vec3 other = glm::cross(ahead, side);
         float area = 6.2832f * r * length / static_cast<float>(along * round);
         for (int k = 0; k < along; ++k) {

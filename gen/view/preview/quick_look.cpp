@@ -280,7 +280,7 @@ ToSun sun_over(const Scene& scene, Vec3 toward, Pixels& pixels) {
       if (glm::distance(p, eye) < 80) box.take(p), box.take(p + Vec3(0, stand.tallest(), 0));
   if (box.empty()) box = {Vec3(-1), Vec3(1)};
   ToSun sun{{}, {}, toward, box.middle(), 0.5f * glm::length(box.size()) + 0.01f, pixels};
-  sun.right = glm::normalize(glm::cross(std::abs(toward.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0), toward));
+  sun.right = glm::normalize(glm::cross(reference_axis(toward), toward));
   sun.up = glm::cross(toward, sun.right);
   return sun;
 }
