@@ -105,7 +105,7 @@ class Skin {
   LightAround light_;
   SkinMesh mesh_;
   float most_open_ = 1;
-  // One entry for each vertex:
+  // One entry for each vertex; in past_ a list of these for each step kept:
   std::vector<char> alive_;   // whether a triangle still has the vertex
   std::vector<float> open_;   // see Openness::openness()
   std::vector<float> lump_;   // how much more than others the polyps of the vertex lay

@@ -103,9 +103,9 @@ struct ProgressSink {
 
 class SpecimenCache;
 
-/// The entries that may grow where the cache does not have them, among those that are there; empty: all may.
-/// Other entries of that kind that the cache does not have are left out, and so is what grows among them, as
-/// it may come to look otherwise. A camera that is to fit all organisms stays as it is.
+/// The entries that may grow where the cache does not have them, among what is there; without a set all may.
+/// Other entries that the cache does not have are left out, and so is what grows among them, as it may come
+/// to look otherwise. A camera that is to fit all organisms stays as it is.
 using EntryFilter = std::optional<std::set<std::size_t>>;
 
 /// Places and grows everything, and lays what is round it: the phases "place", "grow" and "surround". What a
