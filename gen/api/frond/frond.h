@@ -81,14 +81,15 @@ void set_home(const std::filesystem::path& folder);
 /// The JSON Schema (draft-07) of presets.
 std::string schema();
 
-/// What is to be grown and filmed, as docs/presets.md describes it: read, and without a fault.
+/// A preset, which says what is grown and filmed (docs/presets.md): read, and without a fault.
 class Preset {
  public:
   /// Reads a file, or a preset that comes with Frond, by its name: "oak", "garden/vases". With `assets` no
   /// file that it names is read but below the preset's own folder and that one.
   static Preset read(const std::filesystem::path& file,
                      const std::optional<std::filesystem::path>& assets = {});
-  /// Of a text; `file` is for messages, and files that it names are looked for from there.
+  /// Reads a preset from a text; `file` is for messages, and files that the text names are looked for from
+  /// there.
   static Preset parse(std::string text, const std::filesystem::path& file = "preset.json",
                       const std::optional<std::filesystem::path>& assets = {});
   Preset(const Preset&);
@@ -100,7 +101,7 @@ class Preset {
   /// throws and leaves the preset as it was.
   void set(const std::string& pointer, const std::string& json);
 
-  /// All of it as JSON, with what was set.
+  /// The whole preset as JSON, with what was set.
   std::string text() const;
   const std::filesystem::path& file() const;
   std::string title() const;
@@ -108,7 +109,7 @@ class Preset {
   int frames() const;
   double frames_a_second() const;
   std::array<int, 2> size() const;  ///< pixels, width and height
-  /// What is no fault but probably not intended.
+  /// Notes on what is no fault but probably not intended.
   std::vector<Message> notes() const;
 
   struct Data;

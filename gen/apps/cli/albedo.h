@@ -11,10 +11,10 @@ namespace frond {
 /// The colours of surfaces as POV-Ray's textures have them, without light.
 class Albedo {
  public:
-  /// Of a scene, which must outlive it. What POV-Ray reads is written into a folder, which holds the models.
+  /// The albedo of a scene, which must outlive it. What POV-Ray reads, and models, are written into a folder.
   static Result<Albedo> of(Scene& scene, const std::filesystem::path& folder);
 
-  /// Adds them to the passes of that frame.
+  /// Adds the colours to the passes of that frame.
   Errors add_to(FramePasses& passes, int frame) const;
 
  private:

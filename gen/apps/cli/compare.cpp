@@ -46,7 +46,7 @@ Result<fs::path> found(const std::string& path) {
   return fs::path(path);
 }
 
-/// Its size and rate; an error where it is damaged.
+/// Finds the size and rate of a film or picture; an error where its file is damaged.
 Errors describe(Side& side) {
   OutputCapture said;
   Command command;
@@ -175,7 +175,7 @@ int compare(const CompareArguments& arguments) {
   Side sides[2];
   Errors errors;
   ExitCode code = find_sides(arguments, sides, errors);
-  // Of frames alone there are figures, as long as nobody asks to see them.
+  // Two folders that hold frames alone are compared by figures, as long as nobody asks to see the frames.
   bool shown = code == kDone && (arguments.out || !arguments.json);
   if (code != kDone && (!of_frames || arguments.out)) return fail_run(errors, code);
   const auto& [a, b] = sides;

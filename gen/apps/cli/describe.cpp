@@ -162,7 +162,7 @@ int describe_properties(const std::vector<std::string>& words, bool json) {
   }
   if (found.empty()) put(fmt::format("{}: no property has this name\n", printable(asked)));
   put(properties_text(found, of_path || asked.find('/') != asked.npos));
-  // Of a kind, what it shares with all others is only named.
+  // What a kind shares with all others is only named.
   if (kind) {
     std::string shared;
     for (const Topic& topic : topics)

@@ -65,7 +65,7 @@ std::string first_words_of(const fs::path& note) {
   return words;
 }
 
-/// Of a state of Slurm, where that is of tasks that are still to come or at work; else empty.
+/// The word for a state of Slurm whose tasks are still to come or at work; empty for other states.
 std::string_view word_of(std::string_view state) {
   return state == "RUNNING"      ? "running"
          : state == "PENDING"    ? "pending"

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of "frame_0012.png" 12; of any other name 0.
+/// The number in the name of a frame's picture: 12 of "frame_0012.png"; 0 of any other name.
 int number_in_name(const std::string& name) {
   std::string_view digits = name;
   if (!digits.starts_with("frame_") || !digits.ends_with(".png")) return 0;

@@ -9,7 +9,8 @@ namespace frond {
 /// shipped_preset(). The word itself where there is none.
 std::string preset_named(const std::string& word);
 
-/// The same where grammars may be named, too: those that come with Frond go before its presets.
+/// The file of the grammar or preset that a word of the command line names, as preset_named() finds it;
+/// grammars that come with Frond go before its presets.
 std::string grammar_named(const std::string& word);
 
 }  // namespace frond

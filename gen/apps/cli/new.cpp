@@ -82,7 +82,7 @@ class Commented {
       if (!topic.path.starts_with(above)) continue;
       std::string name = topic.path.substr(above.size());
       if (name.find('/') != name.npos || object.find(name) || name == "kind") continue;
-      // Of the blocks of settings only that of the setting that stands.
+      // Among the blocks of settings only that of the preset's setting fits.
       bool fits = path != "scene" || name == "floor" || name == setting_;
       if (fits && !path.empty()) rest += (rest.empty() ? "" : ", ") + name;
     }

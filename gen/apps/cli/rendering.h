@@ -15,8 +15,9 @@ void add_preset(CLI::App* command, PresetArguments& preset);
 void add_sets(CLI::App* command, std::vector<std::string>& sets);
 /// Turns the word of an option into the file that `find` gives for it, see cli/named.h.
 CLI::Validator named_by(std::string (*find)(const std::string&));
-/// Of those to whose results it matters: how large, fine and many pictures are; also their size on paper and
-/// what is behind them; also which part of them is drawn, and how deep.
+/// Options of the pictures of a preset. add_size(): how large, fine and many they are. add_print(): their
+/// size on paper and what is behind them. add_pictures(): both, and which part of them is drawn, and how
+/// deep.
 void add_size(CLI::App* command, PresetArguments& preset);
 void add_print(CLI::App* command, PresetArguments& preset);
 void add_pictures(CLI::App* command, PresetArguments& preset);
@@ -27,7 +28,7 @@ void add_system(CLI::App* command, std::string& system);
 /// `--resolve` and `--no-resolve`; none where neither is given.
 void add_resolving(CLI::App* command, std::optional<bool>& resolve);
 
-/// The same as the words of a call of this program, behind those that are there.
+/// Appends a preset and its options as the words of a call of this program.
 void add_words(std::vector<std::string>& words, const PresetArguments& preset);
 
 /// A path that no program takes for an option.

@@ -14,10 +14,11 @@ std::vector<std::string> words_of(int count, char** words);
 /// What is wrong with the name of a command, with the nearest that there is; or nothing.
 std::string unknown_command(const CLI::App& app, std::string_view word);
 
-/// The same of the first long option that the command does not have; nothing where it has them all.
+/// What is wrong with the first long option that the command does not have, with the nearest that there is;
+/// empty where it has them all.
 std::string unknown_option(const CLI::App& app, const std::vector<std::string>& words);
 
-/// What stands on the screen of who does not know where to begin; `program` is as it was called.
+/// What a call without a command shows; `program` is as it was called.
 std::string first_words(const std::string& program);
 
 }  // namespace frond

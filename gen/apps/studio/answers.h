@@ -18,7 +18,7 @@ struct Answer {
   std::string packet;  ///< where not empty, in place of the JSON
 };
 
-/// That a preset is wrong.
+/// The answer that a preset is wrong.
 Answer wrong(const Errors& errors, const Errors& notes = {});
 
 /// All that a scene follows from, and whose it is.
@@ -39,7 +39,8 @@ struct WrongQuestion : std::runtime_error {
 /// not whole or not within the range. No number ever becomes another one.
 double number(const Json& value, const char* name, double least, double most);
 std::int64_t whole_number(const Json& value, const char* name, std::int64_t least, std::int64_t most);
-/// The same of a member, which may be missing.
+/// Numbers of a member of a question, `otherwise` where it is missing; as above, a wrong one throws a
+/// WrongQuestion.
 double number_in(const Json& question, const char* name, double otherwise, double least, double most);
 std::size_t index_in(const Json& question, const char* name, std::size_t otherwise);
 

@@ -59,7 +59,7 @@ void refuse(int socket, std::string_view status, std::string_view why) {
       "{}\r\n"
       "Connection: close\r\n\r\n{}",
       status, body.size(), body);
-  // It fits into what the kernel holds of a connection that nothing was sent on.
+  // The answer fits into what the kernel holds of a connection that nothing was sent on.
   (void)!::send(socket, text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
 }
 
@@ -214,7 +214,7 @@ void Connections::leave(Connection& connection, std::string_view status, std::st
   connection.leaving = true, connection.come = {}, connection.until = Clock::now() + kLeaving;
 }
 
-/// Of the requests that wait for their ends the longest.
+/// The longest of the requests that wait for their ends.
 Connections::Waiting::iterator Connections::longest() {
   return std::ranges::max_element(waiting_, {},
                                   [](const Connection& connection) { return connection.come.size(); });

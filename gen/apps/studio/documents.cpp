@@ -276,7 +276,7 @@ std::optional<Refusal> Documents::add_grammar(const fs::path& grammar,
 }
 
 void Documents::made(const PutFiles& put, const std::string& of, Json& saved) const {
-  // Of files that name each other, their folder.
+  // Files that name each other are known by their folder.
   made_->add(put.name.substr(0, put.name.find('/')), of, put.fresh);
   saved = {{"file", put.name}, {"path", (folder_ / put.name).string()}};
 }

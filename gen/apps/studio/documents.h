@@ -64,12 +64,13 @@ class Documents {
   /// studio/made_files.h.
   std::optional<Refusal> add_file(const std::string& name, const char* type, const std::string& content,
                                   const std::string& of, Json& saved) const;
-  /// The same for a mesh, and those of the files `beside` that it names, see put_mesh(); 400 where it is
-  /// none.
+  /// Puts a mesh beside the preset as add_file() does a picture, and those of the files `beside` that the
+  /// mesh names, see put_mesh(); 400 where it is no mesh.
   std::optional<Refusal> add_mesh(const std::string& name, const std::string& content,
                                   const std::map<std::string, std::string>& beside, const std::string& of,
                                   Json& saved) const;
-  /// The same for a grammar with some texts changed, see put_grammar().
+  /// Puts a grammar with some texts changed beside the preset as add_file() does a picture, see
+  /// put_grammar().
   std::optional<Refusal> add_grammar(const std::filesystem::path& grammar,
                                      const std::map<std::string, std::string>& texts, const std::string& of,
                                      Json& saved) const;

@@ -14,13 +14,13 @@ struct ExportOrder {
   bool wind = false;          ///< of a .glb: how it sways and grows over the film, as an animation
 };
 
-/// Read from what the page asks; what is out of range is brought into it.
+/// The order that the page asks for; what is out of range is brought into it.
 ExportOrder export_order(const Json& question);
 
 /// About how large what is written will be, before anything is: `{"triangles": […, one a level], "vertices",
 /// "bytes", "sown"}`; `sown`: plants that are sown, whose triangles are not in it.
 Json export_size(const Scene& scene, const ExportOrder& order);
-/// The same of a preset, which is grown where that has not been done yet.
+/// The answer with the size of the export of a preset, which is grown where that has not been done yet.
 Answer export_size(const Documents& documents, Scenes& scenes, const Doc& doc, const ExportOrder& order);
 
 /// Exports a preset by `frond export`. The file and what it names come to lie in `out/exports` below the

@@ -25,14 +25,15 @@ struct PosedScene {
   std::size_t bytes() const;
 };
 
-/// Needs the scene as long as it is used.
+/// The specimens of a scene in their poses at a time, seconds. Needs the scene as long as it is used.
 Result<PosedScene> posed(const Scene& scene, double time);
 
 /// The branch that a ray from a point through another meets first, and its address, for edits by hand; the
-/// answer of POST /api/pick (docs/studio-wire.md), null where it meets none. `entry`: only that one's.
+/// answer of POST /api/pick (docs/studio-wire.md), null where the ray meets none. `entry`: only branches of
+/// that entry.
 Json picked(const PosedScene& scene, Vec3 from, Vec3 to, std::optional<std::size_t> entry = {});
 
-/// The same of the place that an address names on a plant; null where that finds no branch.
+/// The answer of picked() for the place that an address names on a plant; null where it finds no branch.
 Json picked_at(const PosedScene& scene, std::size_t entry, std::size_t plant, const Address& address);
 
 }  // namespace frond

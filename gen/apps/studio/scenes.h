@@ -74,7 +74,7 @@ class Scenes {
     std::string sky;  // name of its picture; empty: none
     bool coarse = false;
   };
-  /// What is asked for while somebody drags: just some organisms, and these coarsely.
+  /// What the page asks for while somebody drags: just some organisms, and these coarsely.
   struct Hurry {
     EntryFilter only;
     double share = 1;  // of the time that these take
@@ -84,19 +84,19 @@ class Scenes {
   struct Session {
     std::atomic<std::uint64_t> newest{0};
     std::atomic<std::size_t> done{0}, of{0};  // organisms that grow
-    /// That question is the newest now, if none newer has come.
+    /// Makes a question the newest, if no newer one has come.
     void ask(std::uint64_t number);
     std::mutex in_work;  // one question at a time
   };
 
-  /// The same after so many bytes that were sent or given up, since these lie scattered where many threads
-  /// have asked for them.
+  /// Calls tidy() after so many bytes that were sent or given up, since these lie scattered where many
+  /// threads have asked for them.
   void tidy_at_times(std::size_t sent);
   std::shared_ptr<Session> session(const std::string& name);
   std::shared_ptr<const Built> find(const std::string& key);
   Result<std::shared_ptr<const Built>> build(const std::string& key, Preset preset, const ProgressSink& watch,
                                              const Hurry& hurry);
-  /// What is not to be grown unasked: seconds until it is there, and nodes, which are sent and drawn then.
+  /// The most that is grown unasked: seconds until it is there, and nodes, which are sent and drawn then.
   struct Bearable {
     double seconds = kAny, nodes = kAny;
     static constexpr double kAny = std::numeric_limits<double>::infinity();

@@ -19,14 +19,16 @@ struct Tile {
   bool varied = false;          ///< the colours, with their light, are a factor of what is plain
   bool unrolled = false;        ///< it lies as the mesh's `uv` say
 };
-/// Of a body that repeats. None where the material has no pattern, or a picture of its own.
+/// The tile of a material, which repeats. None where the material has no pattern, or a picture of its own, or
+/// is that of a vessel.
 std::optional<Tile> tile_of(const Material& material);
-/// The same of any body.
+/// The tile of any body: that of its material, or of a vessel one that is unrolled.
 std::optional<Tile> tile_of(const Solid& body);
-/// Of branches of one colour, where that has a pattern. It varies their plain colours, whatever these are.
+/// The tile of branches of one colour, none where that has no pattern. It varies their plain colours,
+/// whatever these are.
 std::optional<Tile> tile_of(const BranchLook& branches, std::size_t color = 0);
 
-/// Of a setting's floor that nothing covers; it repeats. None of any other.
+/// The tile of a setting's floor that nothing covers; it repeats. None of any other floor.
 std::optional<Tile> tile_of(const Stage& stage);
 
 /// Draws the upper half of a scene's sky, where that stays, see emit/setting.h.
@@ -38,7 +40,7 @@ Drawing tile_drawing(const Material& material, const BakeOptions& options);
 Drawing tile_drawing(const Solid& body, const BakeOptions& options);
 Drawing tile_drawing(const BranchLook& branches, const BakeOptions& options, std::size_t color = 0);
 
-/// As the page reads it.
+/// A tile as the page reads it.
 Json json_of(const Tile& tile);
 
 }  // namespace frond

@@ -205,7 +205,7 @@ Result<std::vector<DrawnPart>> parts_of(const Specimen& s, std::size_t number, d
   return parts;
 }
 
-/// Of each specimen, how many of its entry come before it.
+/// For each specimen, how many of its entry come before it.
 std::vector<std::size_t> numbers_of(const std::vector<Specimen>& specimens) {
   std::map<std::size_t, std::size_t> count;
   std::vector<std::size_t> numbers;

@@ -25,7 +25,8 @@ std::vector<std::uint8_t> leaf_colors(const Surface& leaves, const std::vector<C
   return painted;
 }
 
-/// Of one of the barks; with a picture of it where it is `near`, as its mesh says or from three sides.
+/// Adds the wood of one of the barks; with a picture of the bark where it is `near`, as its mesh says or from
+/// three sides.
 void add_wood(DrawnPart& part, const std::string& below, const Look& look, std::size_t which,
               const Surface& surface, bool near) {
   Surface plain = surface;

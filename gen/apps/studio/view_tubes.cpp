@@ -18,9 +18,9 @@ namespace {
 using Bytes4 = std::array<std::int8_t, 4>;
 using Rgba = std::array<std::uint8_t, 4>;
 
-/// As it goes over the wire. The last bytes of the headings say at which angle about `from_heading` pictures
-/// begin, in 65536ths of a turn; those of the colours where on the picture `from` lies along the branch, in
-/// 65536ths of it.
+/// A segment as it goes over the wire. The last bytes of the headings say at which angle about `from_heading`
+/// pictures begin, in 65536ths of a turn; those of the colours where on the picture `from` lies along the
+/// branch, in 65536ths of it.
 struct WireSegment {
   Vec3 from{0};
   float from_radius = 0;
@@ -115,7 +115,7 @@ std::vector<WireSegment> largest_first(const std::vector<WireSegment>& segments,
 /// Builds the segments of one skeleton.
 class Weaver {
  public:
-  /// Of one of its barks; pictures on them repeat after so many metres.
+  /// Builds the segments of one bark of the branches; pictures on the bark repeat after `high` metres.
   Weaver(const DrawnBranches& branches, double high, std::size_t bark)
       : branches_(branches),
         bark_(bark),
@@ -171,8 +171,8 @@ class Weaver {
     if (!goes_on) round_off(s, heading);
   }
 
-  /// Of a ring within a branch: from a radius below to a radius above it, as rings of a thick branch of short
-  /// internodes would cut into each other if each stood across the next one.
+  /// The direction that a ring within a branch faces: from a radius below to a radius above it, as rings of a
+  /// thick branch of short internodes would cut into each other if each stood across the next internode.
   Vec3 heading_at(std::int32_t i, Vec3 otherwise) const {
     constexpr int kMost = 64;  // nodes
     auto n = static_cast<std::int32_t>(rest_.size());

@@ -35,7 +35,7 @@ class Assets {
   /// The file of that name, named in a file in `folder` (empty: the working folder). An error has no position
   /// of its own; it says where the file was looked for and never quotes file contents.
   Result<NamedFile> read(const std::string& name, const std::filesystem::path& folder) const;
-  /// The same for a name in the preset itself.
+  /// The file of that name, named in the preset itself; errors are those of the other read().
   Result<NamedFile> read(const std::string& name) const { return read(name, folder_); }
 
   /// Appends the path of each file read from now on to `paths`.

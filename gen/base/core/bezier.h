@@ -19,7 +19,7 @@ struct BezierJet {
 template <class V>
 BezierJet<V> bezier_jet(std::span<const V> control, double t);
 
-/// The same curve with one control point more (Forrest 1972).
+/// Control points, one more than `control`, of the same curve (Forrest 1972).
 template <class V>
 std::vector<V> bezier_raised(std::span<const V> control);
 

@@ -33,8 +33,8 @@ class CellGrid {
   void each(Vec3 at, const Found& found) const {
     each(at - cell_, at + cell_, found);
   }
-  /// The same for everything that may reach into a box; what lies in several of its cells comes more than
-  /// once.
+  /// Calls `found(who)` for everything that may reach into a box, and for some others; what lies in several
+  /// of its cells comes more than once.
   template <class Found>
   void each(Vec3 low, Vec3 high, const Found& found) const {
     each_cell(low, high, [&](glm::ivec3 cell) {

@@ -42,7 +42,7 @@ class FolderLock {
 /// The sorted entries of a folder; empty for a missing folder, incomplete for one that is removed meanwhile.
 /// (The increment of std::filesystem's iterators throws.)
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder);
-/// The same with all folders below it.
+/// The sorted entries of a folder and of all folders below it, as far as files_in() lists them.
 std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder);
 
 /// The system's message for an error, but "no room on the disk" for a full one.

@@ -26,14 +26,14 @@ struct Mask {
   std::shared_ptr<const std::vector<float>> grey;  ///< 0..1, rows from the top down; null: white all over
 
   bool empty() const { return !grey; }
-  /// Of the picture of it that frames use.
+  /// The name of the picture of this mask that frames use.
   std::string picture_name() const { return "mask_" + file.content + ".png"; }
-  /// Its value at shares of its width, from the left, and of its height, from the top, 0..1, between the
-  /// middles of pixels; 1 where it is empty.
+  /// The value of the mask at shares of its width, from the left, and of its height, from the top, 0..1,
+  /// between the middles of pixels; 1 where the mask is empty.
   double at_share(double across, double down) const;
-  /// Its value at a place; where it has no area it covers the box from `low` to `high`.
+  /// The value of the mask at a place; without an area the mask covers the box from `low` to `high`.
   double at(const DVec3& place, const DVec3& low, const DVec3& high) const;
-  /// Its value on land of `side` metres about the origin.
+  /// The value of the mask on land of `side` metres about the origin.
   double on_land(Vec2 at, double side) const;
 };
 

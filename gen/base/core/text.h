@@ -12,7 +12,7 @@ namespace frond {
 /// 10^decimals are clamped to it, and NaN becomes 0; models contain neither.
 void append(std::string& text, double value, int decimals = 5);
 
-/// The same as a new string.
+/// A number as a new string, in the format of append().
 std::string number_text(double value, int decimals = 5);
 
 /// Appends a whole number.

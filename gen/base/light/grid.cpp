@@ -63,7 +63,8 @@ Vec3 SoftLight::Level::radiance(std::size_t i) const {
 
 SoftLight::SoftLight(std::vector<Eye> eyes, const Bounds& bounds, double pixels, double unit)
     : eyes_(std::move(eyes)), pixels_(pixels) {
-  // Of a large picture, or a long flight, cells cover more pixels.
+  // Cells cover more pixels where a level would hold too many of them, as for a large picture or a long
+  // flight.
   while (!lay_levels(bounds, unit)) pixels_ *= 1.1;
   for (Level& level : levels_) {
     level.center = (Vec3(level.low) + 0.5f * Vec3(level.size)) * level.cell;
@@ -106,7 +107,7 @@ bool SoftLight::lay_levels(const Bounds& bounds, double unit) {
   }
   double cell = std::exp2(std::floor(std::log2(std::max(least, kNearest) * pixel * pixels_ / unit))) * unit;
   for (;; cell *= 2) {
-    // As far as cells of that size are wanted, round all eyes.
+    // A level reaches as far as cells of its size are wanted, round all eyes.
     auto reach = static_cast<float>(2 * cell / (pixel * pixels_) + 3 * cell);
     Bounds box;
     for (const Eye& eye : eyes_) box.take(eye.at, reach);
@@ -136,7 +137,7 @@ float SoftLight::cell_at(Vec3 at) const { return levels_[level_for(fit(away(at))
 void SoftLight::add(Vec3 at, float area, Vec3 albedo, Facing facing, float bulk, float wide) {
   for (Level& level : levels_) {
     if (glm::any(glm::greaterThan(glm::abs(at - level.center), level.half + 0.5f * wide))) continue;
-    // What is wider than cells is in all of those that it fills.
+    // A thing that is wider than cells is added to all cells that it fills.
     int n = wide < 1.5f * level.cell ? 1 : wide < 2.5f * level.cell ? 2 : 3;
     if (n == 1) {
       level.add(at, area, albedo, facing, bulk);

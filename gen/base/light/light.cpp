@@ -73,7 +73,7 @@ Vec3 SoftLight::arriving(std::size_t k, Vec3 at, Vec3 direction, float spread, c
     size = Vec3(level.size);
   };
   enter();
-  // Of the cell that it sets out from, leaves and twigs are in the way as far as its face.
+  // In the cell that the ray sets out from, leaves and twigs are in the way as far as the face of the cell.
   if (std::size_t i = 0; levels_[k].index(at, i)) {
     left = std::exp(-0.5f * levels_[k].loose(i, upright));
     sum = (1 - left) * levels_[k].radiance(i);

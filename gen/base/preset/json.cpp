@@ -190,7 +190,7 @@ class Parser {
     return !fault;
   }
 
-  /// Of the innermost list or object that is being read, or of its last element or member.
+  /// The JSON pointer of the innermost list or object that is being read, or of its last element or member.
   std::string pointer(About about) const {
     std::string text;
     for (const Value* value : open_) {

@@ -24,7 +24,7 @@ Result<Document> parse_json(std::string_view text, std::string_view file_name);
 /// read back as the same number.
 std::string serialize(const Value& value);
 
-/// The same, formatted for people: indented, short parts on one line of up to `width`.
+/// The value as JSON formatted for people: indented, short parts on one line of up to `width` characters.
 std::string serialize_pretty(const Value& value, std::size_t width = 110);
 
 }  // namespace frond

@@ -18,7 +18,7 @@ struct Keys {
   std::string look;    ///< of all that tells only how it looks
   std::string motion;  ///< of all that tells only how it moves
 
-  /// Of all of them.
+  /// The three keys as one text.
   std::string all() const { return shape + look + motion; }
   bool operator==(const Keys&) const = default;
 };

@@ -22,7 +22,7 @@ std::string digits(const Value& number) { return serialize(number); }
 
 bool is_type(const Value& schema, std::string_view type) { return text_of(schema, "type") == type; }
 
-/// Of a value or its keyframes, or else a name, the value; else nullptr.
+/// The schema of a value, from that of the value or its keyframes, or else a name; null for other schemas.
 const Value* key_of(const Value& schema) {
   const Value* any = schema.find("anyOf");
   if (!any || any->items.size() < 2 || any->items.size() > 3) return nullptr;
@@ -31,7 +31,8 @@ const Value* key_of(const Value& schema) {
   return pair && pair->is(Value::Type::list) ? any->items.data() : nullptr;
 }
 
-/// Of an object that a bare value may stand for: the object.
+/// The schema of an object, from that of the object or a bare value that stands for it; else the schema
+/// itself.
 const Value& object_of(const Value& schema) {
   if (const Value* any = schema.find("anyOf"))
     for (const Value& option : any->items)

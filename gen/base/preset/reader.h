@@ -160,7 +160,7 @@ class Reader : public Properties {
 Errors read_document(const Document& document, ObjectSlot out, Faults* doubts = nullptr,
                      const Assets* assets = nullptr);
 
-/// The same, as a new struct.
+/// Reads a document into a new struct, as read_document() does; what is wrong with it is the error.
 template <class T>
 Result<T> read_preset(const Document& document, Faults* doubts = nullptr, const Assets* assets = nullptr) {
   T preset{};

@@ -14,7 +14,7 @@ namespace frond {
 
 // Schemas (JSON Schema draft-07) of single properties, for SchemaWriter.
 
-/// Of no more than a type.
+/// A schema that says no more than a type.
 Value typed(std::string_view type);
 Value number_schema(const Range& range);
 Value integer_schema(const Range& range);

@@ -29,11 +29,11 @@ struct Slot {
   void* at = nullptr;
   const SlotType* type = nullptr;
 
-  /// What it may hold, of an optional; the slot itself, of all else.
+  /// The type of what an optional may hold; for all else the slot's own type.
   const SlotType& held_type() const;
-  /// What it holds: nothing if it is an empty optional.
+  /// The value that an optional holds, or nothing if it is empty; for all else the slot itself.
   std::optional<Slot> held() const;
-  /// The same, made where it is missing.
+  /// The value that an optional holds, made if it is empty; for all else the slot itself.
   Slot hold() const;
 
   template <class T>
@@ -64,7 +64,7 @@ struct SlotType {
 
   Kind kind;
 
-  // Of numbers and of the components of vectors.
+  // Numbers, and components of vectors:
   bool is_float = false;     ///< not double
   bool is_unsigned = false;  ///< of integers
   int length = 1;            ///< how many there are; of what is animated, too
@@ -72,14 +72,14 @@ struct SlotType {
   double (*get)(const void*) = nullptr;        ///< of integers
   void (*set)(void*, double whole) = nullptr;  ///< of integers
 
-  // Of lists, and of an optional as a list of at most one.
+  // Lists, and an optional as a list of at most one element:
   const SlotType* element = nullptr;
   std::size_t (*count)(const void*) = nullptr;
   void* (*element_at)(void*, std::size_t) = nullptr;
   void (*clear)(void*) = nullptr;
   void* (*add)(void*) = nullptr;  ///< an element with its initial value
 
-  // Of objects.
+  // Objects:
   void (*describe)(Properties&, void*) = nullptr;
   void (*rest)(KeyWriter&, void*) = nullptr;  ///< describe_rest(), if it has one
   /// Calls `work` with an object with its initial values.

@@ -103,7 +103,7 @@ bool pass_number(std::string_view text, std::size_t& offset, bool& integer) {
   return true;
 }
 
-/// Of a number that is beyond double precision: whether it is too large, not too small.
+/// Whether a number that is beyond double precision is too large, not too small.
 bool above_one(std::string_view number) {
   std::size_t e = std::min(number.find_first_of("eE"), number.size());
   std::string_view digits = number.substr(0, e), exponent = number.substr(std::min(e + 1, number.size()));

@@ -54,10 +54,10 @@ struct Nearby {
 void add_boughs(BranchVolume& boughs, const Skeleton& rest, std::span<const Vec3> position,
                 std::span<const float> radius, float front, float blend, std::int32_t first_node = 0);
 
-/// The same with a minimum radius, metres.
+/// A copy of the branches, none of them thinner than a radius in metres.
 BranchVolume at_least_as_thick(const BranchVolume& boughs, float radius);
 
-/// The same for a fully grown skeleton at rest.
+/// The branches of a fully grown skeleton at rest; `blend` as for add_boughs().
 BranchVolume boughs_of(const Skeleton& rest, float blend);
 
 /// The surface near a point.

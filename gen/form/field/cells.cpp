@@ -12,7 +12,7 @@ std::size_t index_in(Cell cell) {
   return static_cast<std::size_t>((cell.i & 7) << 6 | (cell.j & 7) << 3 | (cell.k & 7));
 }
 
-/// Of the candidates the cell that has the most neighbours in a window, the first of those.
+/// The candidate, a cell, that has the most neighbours in a window; the first one of several.
 int most_held(unsigned window, std::initializer_list<int> candidates) {
   int best = kFine, most = -1;
   for (int c : candidates) {

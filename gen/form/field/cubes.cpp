@@ -175,7 +175,7 @@ Surface cubes_surface(const Cubes& cubes, std::vector<std::uint32_t>& cube) {
              static_cast<float>(kFaces[f].k));
     auto first = static_cast<std::uint32_t>(surface.position.size());
     for (Cell corner : face_corners(cubes.cell[c], f)) {
-      // Of all faces that meet there the same numbers, or there would be gaps of the last digit.
+      // All faces that meet at a corner get the same numbers, or there would be gaps of the last digit.
       surface.position.push_back(voxel_middle(corner, cubes.side) - Vec3(0.5f * cubes.side));
       surface.normal.push_back(out);
     }

@@ -176,7 +176,7 @@ Vec3 ivy_attachment(const IvyLeafShape& shape) {
 }
 
 LeafDisc ivy_disc(const IvyLeafShape& shape) {
-  // Of the outline in polar coordinates: area and centroid by the trapezoid rule.
+  // Area and centroid of the outline in polar coordinates, by the midpoint rule.
   constexpr int kSteps = 90;
   double area = 0, moment = 0;
   for (int i = 0; i < kSteps; ++i) {

@@ -25,30 +25,31 @@ Pieces pieces_of(const Surface& surface);
 /// The shape that replaces a leaf in a far view: a diamond of two triangles, or one triangle on its tip.
 enum class FarLeaf { diamond, triangle };
 
-/// Each connected piece as such a leaf: of the same length, area and orientation. A round body becomes a leaf
+/// Each connected piece as a far leaf of the same length, area and orientation. A round body becomes a leaf
 /// of the same projected area. `uv` are taken at the corners. With `stride` n, one of n pieces represents all
 /// of them, scaled about its foot to their area.
 Surface far_leaves(const Surface& surface, const Pieces& pieces, int stride = 1,
                    FarLeaf as = FarLeaf::diamond);
 
-/// The whole surface as one such leaf, with the `uv` of the middle of its largest piece.
+/// The whole surface as one far leaf, with the `uv` of the middle of its largest piece.
 Surface one_far_leaf(const Surface& surface, const Pieces& pieces, FarLeaf as = FarLeaf::diamond);
 
 /// A mesh of about `triangles` triangles, at least 4 if it has them: the corners in each cell of a grid are
 /// merged, with normals and `uv` (meshoptimizer's sloppy simplification).
 Surface simplified(const Surface& surface, std::size_t triangles);
 
-/// The same by collapsing the edges that change the shape least (Garland and Heckbert 1997), which keeps it
-/// one body; for near views. `kept` receives the remaining vertices, where some are gone.
+/// A mesh of about `triangles` triangles, made by collapsing the edges that change the shape least (Garland
+/// and Heckbert 1997), which keeps it one body; for near views. `kept` receives the remaining vertices, where
+/// some are gone.
 Surface reduced(const Surface& surface, std::size_t triangles, std::vector<std::uint32_t>* kept = nullptr);
 
-/// The same with as few triangles as leave the shape within about `error` metres of where it was: from about
-/// `least` to about `most`.
+/// A mesh that reduced() makes, of as few triangles as leave the shape within about `error` metres of where
+/// it was: from about `least` to about `most`.
 Surface reduced_within(const Surface& surface, double error, std::size_t least, std::size_t most,
                        std::vector<std::uint32_t>* kept = nullptr);
 
-/// The same of each tile of a surface by an error of its own, metres; edges between tiles stay, so they meet.
-/// `tile` is that of each triangle.
+/// A surface whose tiles are each reduced by an error of their own, metres; edges between tiles stay, so the
+/// tiles meet. `tile` is that of each triangle.
 Surface reduced_tiles(const Surface& surface, std::span<const std::uint32_t> tile,
                       std::span<const double> error);
 

@@ -127,7 +127,8 @@ class ObjParser {
     return fmt::format("a {} whose number {} is none; expected three finite numbers", what, before + 1);
   }
 
-  /// Of corners as `place`, `place/picture`, `place//normal` or `place/picture/normal`.
+  /// Takes corners written as `place`, `place/picture`, `place//normal` or `place/picture/normal`. Returns
+  /// what is wrong with them, or nothing.
   std::string take_corners(std::string_view what, std::uint32_t least) {
     corners_.clear();
     for (std::string_view word = lines_.word(); !word.empty(); word = lines_.word()) {
@@ -161,7 +162,7 @@ class ObjParser {
     return {};
   }
 
-  /// Its index; none of an empty name.
+  /// The index of the material of that name, which is added if it is new; none for an empty name.
   std::int32_t material_named(std::string_view name) {
     if (name.empty()) return PolygonMesh::kNone;
     auto found = std::ranges::find(mesh.material, name, &MeshMaterial::name);

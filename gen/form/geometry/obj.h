@@ -19,7 +19,8 @@ namespace frond {
 /// `name` and give the line.
 Result<PolygonMesh> read_obj_mesh(std::string_view text, const std::string& name);
 
-/// The same as one mesh, in the text's own axes and unit. A text without a usable face is an error.
+/// The faces of a Wavefront OBJ text as one mesh, in the text's own axes and unit. A text without a usable
+/// face is an error; other errors are those of read_obj_mesh().
 Result<Surface> read_obj(std::string_view text, const std::string& name = "");
 
 /// Polylines over numbered points.
@@ -29,7 +30,7 @@ struct LineSet {
 };
 
 /// The `l` elements of a Wavefront OBJ text, one line per segment, in the order written. A text without any
-/// is an error; otherwise as above.
+/// is an error; other errors are those of read_obj_mesh().
 Result<LineSet> read_obj_lines(std::string_view text, const std::string& name = "");
 
 }  // namespace frond

@@ -54,7 +54,7 @@ class Tube {
         out_(mesh.surface),
         node_(mesh.node) {}
 
-  /// Of the nodes first..last; the node below `first`, where there is one, is where it begins.
+  /// Adds the tube of the nodes first..last; it begins at the node below `first`, where there is one.
   void draw(std::int32_t first, std::int32_t last) {
     nodes_.clear();
     std::int32_t below = rest_.parent[first];

@@ -23,7 +23,7 @@ struct TubeShape {
                                       ///< branch still thickens; empty: its own
 };
 
-/// Of each node, whether its branch is skipped.
+/// For each node, whether its branch is skipped.
 std::vector<bool> left_out(const Skeleton& rest, const TubeShape& shape);
 
 /// Turns every branch into a tube: each chain of the skeleton is one, starting inside its parent. `uv` goes a
@@ -34,7 +34,7 @@ std::vector<bool> left_out(const Skeleton& rest, const TubeShape& shape);
 Surface tube_surface(const Skeleton& rest, std::span<const Vec3> position, std::span<const float> radius,
                      std::span<const Quat> turn, const TubeShape& shape);
 
-/// The same at rest.
+/// The tubes of a skeleton at rest, as the other tube_surface() makes them.
 Surface tube_surface(const Skeleton& rest, const TubeShape& shape);
 
 /// Branches as tubes, with the node of each vertex.
@@ -43,7 +43,7 @@ struct TubeMesh {
   std::vector<std::int32_t> node;  ///< of each vertex: the node of its ring; where it leaves a fork, the next
 };
 
-/// As tube_surface().
+/// The tubes of tube_surface(), with the node of each vertex.
 TubeMesh tube_mesh(const Skeleton& rest, std::span<const Vec3> position, std::span<const float> radius,
                    std::span<const Quat> turn, const TubeShape& shape);
 

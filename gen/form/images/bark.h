@@ -37,10 +37,10 @@ BarkMaps bark_maps(const BarkImage& bark, int width, int height, Seed seed);
 /// pixels.
 Raster normal_picture(const Grid& height, double strength);
 
-/// The colour without lighting, a little darker in deep places.
+/// The colours of a bark without lighting, a little darker in deep places.
 Raster bark_colors(const BarkImage& bark, const BarkMaps& maps, Seed seed);
 
-/// The same lit from the upper left by the normals: for far trees and for previews.
+/// Colours lit from the upper left by the normals: for far trees and for previews.
 Raster lit_picture(const Raster& colors, const Raster& normals);
 
 /// A grid as grey levels.

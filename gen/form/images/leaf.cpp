@@ -176,14 +176,14 @@ constexpr Rgb kBrown{0.36, 0.20, 0.09};
 
 Rgb rgb(const Color& c) { return {c.red, c.green, c.blue}; }
 
-/// 1 on a line .. 0 away from it. Where it is finer than a pixel it is drawn as wide as one and fainter, or
-/// what shows of it would be dots.
+/// How strongly a line shows: 1 on the line .. 0 away from it. A line finer than a pixel is drawn as wide as
+/// one and fainter, or it would break up into dots.
 double line(double away, double width, double pixel) {
   double drawn = std::max(width, 0.8 * pixel);
   return drawn > 0 ? std::sqrt(width / drawn) * smooth_step(0.0, 1.0, 1.6 - away / drawn) : 0;
 }
 
-/// The same for a straight vein, which tapers toward its end.
+/// How strongly a straight vein shows at `p`, as line() does; the vein tapers toward its end.
 double vein(Vec2 p, Vec2 from, Vec2 to, double width, double pixel) {
   Vec2 segment = to - from, off = p - from;
   double t = std::clamp<double>(glm::dot(off, segment) / glm::dot(segment, segment), 0, 1);
@@ -336,7 +336,7 @@ struct LeafPainter {
     return on_stalk(p);
   }
 
-  /// Of the topmost leaf.
+  /// The colour of the topmost leaf at a place, or else of the stalk.
   Rgb color(Vec2 p) const {
     for (std::size_t i = places.size(); i-- > 0;)
       if (Vec2 q = on_leaf(p, places[i]); blade.covers(q))

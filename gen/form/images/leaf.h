@@ -83,12 +83,13 @@ struct LeafCurl {
   double phase = 0;  ///< radians; selects another variation
 };
 
-/// The picture, with opacity; colours continue slightly beyond the rim. `height` in pixels.
+/// The picture of a leaf, with opacity; colours continue slightly beyond the rim. `height` in pixels.
 Raster leaf_picture(const LeafImage& leaf, int height, Seed seed);
 
-/// The same outline as a mesh one unit long: the foot at the origin, growing along +y, the upper side toward
-/// +z, `uv` of the picture. Each half of each leaf has `points` on its rim: few for far leaves, 3 a diamond.
-/// `fold` raises the halves, `bend` lowers the tip; radians. A curled leaf has points inside the rim, too.
+/// The leaf of leaf_picture() as a mesh one unit long: the foot at the origin, growing along +y, the upper
+/// side toward +z, `uv` of the picture. Each half of each leaf has `points` on its rim: few for far leaves, 3
+/// a diamond. `fold` raises the halves, `bend` lowers the tip; radians. A curled leaf has points inside the
+/// rim, too.
 Surface leaf_mesh(const LeafImage& leaf, int points, double fold, double bend, const LeafCurl& curl = {});
 
 }  // namespace frond

@@ -28,7 +28,7 @@ class Tiff {
 constexpr std::uint32_t kOrientation = 0x0112;
 constexpr std::string_view kExif("Exif\0\0", 6);  // before the TIFF header, in WebP at will
 
-/// Of the data of EXIF; 1 where they hold none, or none that there is.
+/// The orientation that EXIF data hold, 1..8; 1 where they hold none, or another number.
 int orientation_of(std::string_view tiff) {
   constexpr std::size_t kEntry = 12;  // bytes
   Tiff data(tiff);

@@ -9,10 +9,10 @@ namespace frond {
 /// How a camera was held as it took a JPEG, as its EXIF tells (tag 0x0112): 1 upright .. 8; 1 where it does
 /// not tell.
 int jpeg_turn(std::string_view bytes);
-/// The same of a WebP.
+/// How a camera was held as it took a WebP, in the numbers of jpeg_turn(); 1 where its EXIF does not tell.
 int webp_turn(std::string_view bytes);
 
-/// A picture of that number, upright.
+/// A picture turned upright; `turn` tells how its camera was held, in the numbers of jpeg_turn().
 Raster turned(const Raster& from, int turn);
 
 }  // namespace frond

@@ -26,12 +26,12 @@ class PngRows {
   int width() const;
   int height() const;
   int channels() const;
-  /// Rows that were read.
+  /// The number of rows read so far.
   int done() const;
 
-  /// So many rows more; there must be as many left.
+  /// Reads so many rows more; there must be as many left.
   Result<PngSamples> next(int rows);
-  /// The same as read_linear_png() has them.
+  /// Reads so many rows more as linear light, as read_linear_png() has them.
   Result<LinearRaster> next_linear(int rows, bool opacity);
 
  private:
@@ -43,8 +43,8 @@ class PngRows {
 /// Writes a PNG file from the top down.
 class PngWriter {
  public:
-  /// Of a whole picture as `like` has it; its `data` is not looked at. A compression of 3 takes a third of
-  /// the time of zlib's usual 6, for a tenth more bytes.
+  /// Begins a picture of the size and kind of `like`, whose `data` is not looked at. A compression of 3 takes
+  /// a third of the time of zlib's usual 6, for a tenth more bytes.
   explicit PngWriter(const PngSamples& like, int compression = 3);
   PngWriter(PngWriter&&) noexcept;
   PngWriter& operator=(PngWriter&&) noexcept;

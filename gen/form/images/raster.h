@@ -67,8 +67,8 @@ Result<std::array<int, 2>> png_size(std::string_view bytes);
 /// Reads a PNG file of any kind as grey, colour or colour with opacity; at most 16384 pixels
 /// a side and 100 million in all, as it is held whole.
 Result<Raster> read_png(std::string_view bytes);
-/// The same as light; of up to 16384 pixels a side, or as many in all. `opacity`: with that of the file,
-/// where it has one; else what is behind it is black.
+/// Reads a PNG file of any kind as linear light; at most 32768 pixels a side and 16384 times 16384 in all.
+/// `opacity`: with the opacity of the file, where it has one; else its colours are laid over black.
 Result<LinearRaster> read_linear_png(std::string_view bytes, bool opacity = false);
 
 }  // namespace frond

@@ -12,7 +12,8 @@ namespace frond {
 /// its EXIF tells. An error says what the file is and what was expected.
 Result<Raster> read_picture(std::string_view bytes);
 
-/// The same with its pixels as they are stored, which is how texture coordinates of a mesh count them.
+/// Reads a picture as read_picture() does, but leaves its pixels as they are stored, which is how texture
+/// coordinates of a mesh count them.
 Result<Raster> read_texture(std::string_view bytes);
 
 /// Whether bytes begin as those of a picture that is read.

@@ -92,7 +92,7 @@ Result<std::string> develop_whole(std::span<const std::string> pngs, const Tone&
   return depth == 16 ? samples_text(developer.deep()) : png_text(developer.plain());
 }
 
-/// The same, so many rows at a time.
+/// Develops pictures as develop_whole() does, but `band` rows at a time.
 Result<std::string> develop_bands(std::span<const std::string> pngs, const Tone& tone, int depth, int band) {
   std::vector<PngRows> pictures;
   for (const std::string& png : pngs) {

@@ -50,7 +50,7 @@ inline std::size_t color_index(std::int32_t color, std::size_t count) {
   return static_cast<std::size_t>(((color % n) + n) % n);
 }
 
-/// The same of a place on merged leaves, the whole part of whose `u` tells the colour.
+/// Index of the colour at a place on merged leaves, the whole part of whose `u` is the turtle's colour index.
 inline std::size_t color_index(Vec2 uv, std::size_t count) {
   return color_index(static_cast<std::int32_t>(std::floor(uv.x)), count);
 }

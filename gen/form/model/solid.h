@@ -55,12 +55,12 @@ struct Material {
 struct Solid {
   Surface surface;
   Material material;
-  /// The same body as cubic Bézier spans (radius, y) turned about the y axis, for renderers that support it;
-  /// else empty.
+  /// The body as cubic Bézier spans (radius, y) turned about the y axis, for renderers that support it; empty
+  /// where it has no such shape.
   std::vector<std::array<glm::dvec2, 4>> turned{};
   std::optional<Isosurface> native{};  ///< drawn in place of `surface`, which still has its shape
-  /// Positions of its vertices at equal steps of growth, from the first to the last but one; `surface` is the
-  /// last step. Empty: it does not change.
+  /// Positions of the vertices of `surface` at equal steps of growth, from the first to the last but one;
+  /// `surface` is the last step. Empty: the body does not change.
   std::vector<std::vector<Vec3>> past{};
   /// Share of light, 0..1, that reaches each vertex past its neighbours when all are fully grown; empty: 1.
   std::vector<float> light{};

@@ -31,7 +31,8 @@ inline constexpr Vec3 kUnpainted{std::numeric_limits<float>::quiet_NaN()};
 /// Appends a mesh; both have `uv` or neither, unless the target is empty.
 void append(Surface& to, const Surface& more);
 
-/// The same, scaled along its own axes (each > 0), rotated and moved.
+/// Appends a mesh, scaled along its own axes (each > 0), rotated and moved; both have `uv` or neither, unless
+/// the target is empty.
 void append_placed(Surface& to, const Surface& more, Vec3 at, Quat turn, Vec3 scale);
 
 /// The surface's area, m2.

@@ -75,7 +75,7 @@ Quat toward_food(Vec3 heading, Vec3 base, Vec3 food, const Food& pull, float str
 /// All food that is left, and how much a part of a skeleton bends and stretches to each.
 class Pull {
  public:
-  /// Of a skeleton whose longest branch is so many metres.
+  /// `grown`: factor of strength and stretch; `longest`: metres, the longest branch of the skeleton.
   Pull(const Food& food, double time, float grown, float longest) : food_(food), longest_(longest) {
     strength_ = static_cast<float>(food.strength) * grown;
     stretch_ = static_cast<float>(food.stretch) * grown;
@@ -86,7 +86,7 @@ class Pull {
   bool bends() const { return strength_ != 0 && !meals_.empty(); }
   bool stretches() const { return stretch_ != 0 && !meals_.empty(); }
 
-  /// As toward_food(), to all of it, the nearest first of all.
+  /// The rotation as that of toward_food(), toward all food that is left, the nearest first of all.
   Quat turn(Vec3 heading, Vec3 base, float share, float step) const {
     if (meals_.size() == 1) return to(heading, base, 0, 1, share, step);
     float all = nearness_of_all(base);

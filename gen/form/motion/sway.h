@@ -51,12 +51,12 @@ struct Sway {
   std::shared_ptr<const WindField> wind;
   SwayWood wood;
   std::vector<float> give;         ///< radians a pascal by which a segment turns against the one below it
-  std::vector<float> second;       ///< the same in the second mode; of the stem's nodes, else 0
+  std::vector<float> second;       ///< as `give`, in the second mode; of the stem's nodes, else 0
   std::vector<std::int32_t> limb;  ///< index into limbs
   std::vector<SwayLimb> limbs;     ///< the stem is the first
   Mode stem_second;                ///< the stem's second mode
-  /// Of each row, the amplitude and phase of the answer to each gust of the wind at time 0; then a last row
-  /// for what the stem's second mode adds to the first.
+  /// For each row of limbs (SwayLimb::gusts), the amplitude and phase of the answer to each gust of the wind
+  /// at time 0; then a last row for what the stem's second mode adds to the first.
   std::vector<std::complex<float>> response;
 
   /// The stem's first mode.

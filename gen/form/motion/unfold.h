@@ -43,13 +43,13 @@ struct OrganPlace {
   Quat turn;  ///< of length 1
   Vec3 scale;
 };
-/// Of organ `i` of a model in a pose at that time, of a relative size, with its flutter; the looser it is,
-/// the less it follows its node.
+/// The place of organ `i` of a model in a pose at a time, with its flutter; `size` is a factor. The looser
+/// the organ is, the less it follows its node.
 OrganPlace organ_place(const Model& model, const Motion& motion, const Pose& pose, double time, std::size_t i,
                        float size);
 
-/// The prototypes, and the organs reached by `front`, as posed; others have a size near 0. They are no longer
-/// attached to nodes.
+/// The prototypes, and as posed the organs that `front` reaches; those that the pose has not reached have a
+/// size near 0. The organs are no longer attached to nodes.
 Model posed_organs(const Model& model, const Motion& motion, const Pose& pose, double time, float front);
 
 /// The selected blades that have unfolded at least that far, posed, as one mesh.

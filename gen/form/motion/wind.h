@@ -55,14 +55,14 @@ struct WindField {
 /// gusts are about as wide as long. In a film that repeats each wave passes a whole number of times.
 WindField wind_field(const Wind& wind, double film_length, Seed seed, std::vector<Gale> gales = {});
 
-/// Of the wind ten metres up, what blows near the ground.
+/// Speed of the wind near the ground, as a share of that ten metres up.
 inline constexpr double kLowWind = 0.6;
 
 /// The pressure of a wind, Pa, that counts for leaves: half of the density of air times the speed squared,
 /// less as leaves fold together. They do so gradually here, up to the drag of Vogel (1989), see drag.h.
 double drag_pressure(double speed);
 
-/// The power of the speed that it grows with, 2 in light wind.
+/// The power of the speed that drag_pressure() grows with, 2 in light wind.
 double drag_power(double speed);
 
 }  // namespace frond

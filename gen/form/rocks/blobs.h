@@ -23,7 +23,7 @@ double field_curvature(const Blobs& shape, const DVec3& p);
 /// Each term is bounded exactly, but not their sum.
 Interval field_range(const Blobs& shape, const Box& box);
 
-/// The same for the derivative of f along `direction`.
+/// Bounds of the derivative of f along `direction` over a box, by interval arithmetic, rounded outward.
 Interval field_slope_range(const Blobs& shape, const Box& box, const DVec3& direction);
 
 /// A box that contains the whole surface, tightened by a few steps of interval arithmetic; of size 0 at the

@@ -26,8 +26,8 @@ Frame frame_of(const RockShape& shape, const Box& box) {
   return {{middle.x, box.low.y, middle.z}, shape.size / std::max(size.x, std::max(size.y, size.z))};
 }
 
-/// The same blobs with the axis of the shortest side upright. x, y and z change places in turn, so that it is
-/// not mirrored.
+/// The blobs turned so that the axis of their shortest side is upright. x, y and z change places in turn, so
+/// that the shape is not mirrored.
 Blobs laid(const Blobs& blobs) {
   DVec3 size = field_bounds(blobs).size();
   int shortest = size.x < size.y ? (size.x < size.z ? 0 : 2) : (size.y < size.z ? 1 : 2);

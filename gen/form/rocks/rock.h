@@ -33,11 +33,11 @@ struct RockShape {
 /// never do), rotated as it lies.
 Blobs rock_blobs(const RockShape& shape, Seed seed);
 
-/// The implicit surface of its blobs in metres, without weathering: its foot, the middle of its lowest level,
-/// is at the origin. Empty if there is no inside.
+/// The implicit surface of a rock's blobs as a mesh in metres, without weathering: its foot, the middle of
+/// its lowest level, is at the origin. Empty if there is no inside.
 Surface bare_rock(const RockShape& shape, const Blobs& blobs);
 
-/// The same for renderers that support implicit surfaces.
+/// The surface of bare_rock() for renderers that support implicit surfaces.
 Isosurface native_rock(const RockShape& shape, const Blobs& blobs);
 
 /// The finished rock: broken, layered, worn and cut flat below. It stands on y = 0, its foot at the origin.

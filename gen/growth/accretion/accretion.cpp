@@ -105,13 +105,13 @@ class Skin {
   LightAround light_;
   SkinMesh mesh_;
   float most_open_ = 1;
-  // Of each vertex:
-  std::vector<char> alive_;   // whether a triangle has it still
+  // One entry for each vertex; in past_ a list of these for each step kept:
+  std::vector<char> alive_;   // whether a triangle still has the vertex
   std::vector<float> open_;   // see Openness::openness()
-  std::vector<float> lump_;   // how much more than others its polyps lay
-  std::vector<float> room_;   // at least so much is free round it
+  std::vector<float> lump_;   // how much more than others the polyps of the vertex lay
+  std::vector<float> room_;   // metres that are free round the vertex, at least
   std::vector<float> speed_;  // layers a layer
-  std::vector<float> laid_;   // the last layer in which it moved much
+  std::vector<float> laid_;   // the last layer in which the vertex moved much
   std::vector<std::vector<Vec3>> past_;
 };
 
@@ -134,13 +134,13 @@ void Skin::look(bool all) {
                glm::mix(1.0f, light_(at), static_cast<float>(law_.light));
     lump_[v] = 1 + lumps * static_cast<float>(fractal_noise(at * frequency + lot_, 2));
   });
-  // What is most in the open grows by a layer.
+  // The vertex that is most in the open grows by a layer.
   most_open_ = 1e-3f;
   for (const auto& t : mesh_.triangle) most_open_ = std::max(most_open_, open_[t[0]]);
 }
 
 void Skin::grow(int layer) {
-  // What they see changes little from layer to layer.
+  // What the vertices see changes little from layer to layer.
   if (layer % kLook == 1) look(layer % kLookAll == 1);
   std::size_t count = mesh_.position.size();
   auto hunger = static_cast<float>(law_.hunger), upward = static_cast<float>(law_.upward);
@@ -155,7 +155,7 @@ void Skin::grow(int layer) {
     float rise = 1 + upward * n.y;
     float speed = pace * fed * std::max(0.0f, rise) * std::max(0.0f, lump_[v]);
     if (at.y < 0) speed *= std::max(0.0f, 1 + at.y / edge_);
-    // It slows where it has come as far as it may.
+    // Growth slows where the skin has come as far as it may.
     float gone = glm::length(at / shape);
     speed *= 1 - smooth_step(0.8f, 1.1f, gone);
     speed = std::min(speed, 1.5f);

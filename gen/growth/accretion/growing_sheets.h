@@ -98,7 +98,7 @@ class GrowingSheets {
   std::vector<GrowingRim> rims_;
   CellGrid grid_;  // of vertices
   CellGrid skin_;  // of triangles
-  // Of the rim that grows now:
+  // One entry for each vertex of the rim that grows now:
   std::vector<Vec3> from_, to_, aim_, tangent_, shift_;
   std::vector<float> rest_, arc_, thread_;
   std::vector<std::vector<RimRival>> rivals_;

@@ -54,7 +54,7 @@ struct Sheet {
   std::vector<Vec3> position;
   std::vector<Vec3> normal;
   std::vector<std::array<std::uint32_t, 3>> triangle;
-  /// Of each vertex its two parents (itself at the start); parents precede it.
+  /// The two parents of each vertex (a vertex of the start is its own parent); parents precede it.
   std::vector<std::array<std::uint32_t, 2>> parents;
   std::vector<float> row;       ///< the row in which it was laid; at the start, when its sheet began
   std::vector<float> end;       ///< of each vertex, the last row that descends from it

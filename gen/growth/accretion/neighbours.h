@@ -6,7 +6,7 @@
 
 namespace frond {
 
-/// Of each vertex of a closed mesh, the mean over its neighbours; its own value where it has none.
+/// For each vertex of a closed mesh, the mean of `own` over its neighbours; its own value where it has none.
 template <class T>
 std::vector<T> means_of_neighbours(const std::vector<std::array<std::uint32_t, 3>>& triangles,
                                    const std::vector<T>& own) {

@@ -165,7 +165,7 @@ struct CpfgDerived {
 /// Reads a model by the path of its `.l` file, with the files beside it. Included files must lie below its
 /// folder.
 Result<CpfgModel> read_cpfg(const std::filesystem::path& path);
-/// The same with the text of the `.l` file given.
+/// Reads a model as the other read_cpfg() does, with `text` as what the `.l` file holds.
 Result<CpfgModel> read_cpfg(const std::filesystem::path& path, std::string_view text);
 
 /// Derives a word. The same model gives the same word always; an error says at which step which limit was

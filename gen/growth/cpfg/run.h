@@ -41,9 +41,10 @@ struct Run {
   std::set<std::string> notes;
 
   const CpfgSystem& system() const;
-  /// Counts work; false when there was too much, or there is an error.
+  /// Counts `more` operations. False when there were too many, or there is an error.
   bool goes_on(std::uint64_t more = 1);
-  /// Counts a turn of a loop, likewise; `place` is an index into Code::places.
+  /// Counts a turn of a loop. False when there were too many, or there is an error; `place` is an index into
+  /// Code::places.
   bool turns_on(int place);
   void fail(std::string where, std::string what);
 };
@@ -53,7 +54,7 @@ Run begin_run(const Code& code, const CpfgLimits& limits, std::uint64_t variatio
 
 /// The value of a formula.
 double evaluate(Run& run, int formula);
-/// The same for one without variables, while a grammar is read.
+/// The value of a formula without variables, while a grammar is read; NaN where it has no value.
 double constant_of(const Code& code, int formula);
 /// Carries out a block; -1 does nothing.
 void carry_out(Run& run, int block);

@@ -51,8 +51,8 @@ struct CpfgTurtleState {
   std::vector<double> elasticities;
   int color = 128, back = 128;  ///< of the front and of the back side
   int texture = 0;
-  // Of generalized cylinders.
-  int contour = 0;                       ///< its number; 0: a circle
+  // The state of generalized cylinders, down to `segment`:
+  int contour = 0;                       ///< number of the contour; 0: a circle
   std::optional<int> sides;              ///< `@!`
   double arriving = 1.2, leaving = 1.2;  ///< `@Gt`: lengths of tangents, as shares of the distance
   std::array<double, 2> rise_arriving{}, rise_leaving{};  ///< `@Gr`: see ControlPlace

@@ -39,10 +39,11 @@ class SpatialHash {
   void gather(const DVec3& place, const DVec3& normal, const Own& own, double reach,
               std::vector<DVec3>& near) const;
 
-  /// The neighbours as seen from a point, given what gather() found.
+  /// The neighbours as seen from a point, given the nodes that gather() found.
   View view(std::span<const DVec3> near, const DVec3& place) const;
 
-  /// The same, but only the distance of the nearest one.
+  /// Metres from a point to the nearest of the nodes that gather() found; the spacing where none is within
+  /// it.
   double nearest(std::span<const DVec3> near, const DVec3& place) const;
 
   double spacing() const { return spacing_; }

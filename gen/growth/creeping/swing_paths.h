@@ -16,12 +16,13 @@ struct SwingPaths {
 };
 
 /// Simulates strands whose Crawl has that stiffness (creeping/hung_chain.h) in wind of breeze.speed, > 0,
-/// whose gusts travel with it. The motion repeats with the film, in a long film several times within it. It
-/// begins some seconds before the film, and its end is blended into its beginning. The same at any number of
-/// threads.
+/// whose gusts travel with it. The motion repeats with the film, in a long film several times within it. The
+/// simulation begins some seconds before the film, and its end is blended into its beginning. The paths are
+/// the same with any number of threads.
 SwingPaths swing_paths(const Strands& strands, const Breeze& breeze, double stiffness);
 
-/// The same as the other swing_strands(), by paths of these strands.
+/// The strands in the wind at a time and the rotation of each node, as swing_strands() of creeping/swing.h
+/// gives them, but by the simulated paths of these strands. `position` and `turn` are overwritten.
 void swing_strands(const Strands& strands, const SwingPaths& paths, double time, std::vector<Vec3>& position,
                    std::vector<Quat>& turn);
 

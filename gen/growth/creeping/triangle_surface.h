@@ -22,8 +22,8 @@ using GroundHeight = std::function<double(double, double)>;
 /// The point of a host nearest to a given place.
 struct Contact {
   DVec3 point{0};
-  /// Of length 1, outward, continuous as the place moves over edges: the direction from `point` to the place,
-  /// or on the surface itself the normal of the face, edge or corner that `point` lies on.
+  /// A vector of length 1, outward, continuous as the place moves over edges: the direction from `point` to
+  /// the place, or on the surface itself the normal of the face, edge or corner that `point` lies on.
   DVec3 normal{0, 1, 0};
   double distance = 0;  ///< metres, >= 0
   std::uint32_t triangle = 0;

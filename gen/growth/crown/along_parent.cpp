@@ -16,7 +16,7 @@ float factor_at(const Curve& curve, float place) {
       std::clamp(factor_along(curve, static_cast<double>(place)), kLeastFactor, kMostFactor));
 }
 
-/// Of each node that begins an axis, the last node of it.
+/// For each node that begins an axis, the last node of that axis; 0 for the others.
 std::vector<std::size_t> axis_ends(std::span<const std::int32_t> parent, std::span<const AxisNode> axes) {
   std::vector<std::size_t> start(parent.size()), end(parent.size());
   for (std::size_t i = 0; i < parent.size(); ++i) {

@@ -21,7 +21,7 @@ struct AlongParent {
   bool even() const { return is_even(angle) && is_even(length) && is_even(radius); }
 };
 
-/// Of those on the stem, and of those on these.
+/// How the branches on the stem change, and the twigs on these branches.
 struct BranchesAlong {
   AlongParent branches, twigs;
   bool even() const { return branches.even() && twigs.even(); }
@@ -30,12 +30,13 @@ struct BranchesAlong {
 /// What becomes of the nodes of a plant.
 struct ShapedAlong {
   std::vector<Vec3> position;
-  std::vector<Quat> turn;             ///< of what is attached to each node, about it
-  std::vector<float> length, radius;  ///< factors
+  std::vector<Quat> turn;             ///< rotation of what is attached to each node, about the node
+  std::vector<float> length, radius;  ///< factors, of each node
 };
 
-/// Of nodes with these axes, parents first. The angle of an axis is that between its chord, from where it
-/// leaves to its tip, and its parent there. What belongs to no axis stays with its parent.
+/// The shape of a plant whose branches and twigs change as `by` says; the nodes, which have these axes, come
+/// parents first. The angle of an axis is that between its chord, from where it leaves to its tip, and its
+/// parent there. What belongs to no axis stays with its parent.
 ShapedAlong shape_along(std::span<const std::int32_t> parent, std::span<const AxisNode> axes,
                         std::span<const Vec3> position, std::span<const float> radius,
                         const BranchesAlong& by);

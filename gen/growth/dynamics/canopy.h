@@ -19,19 +19,19 @@ struct Canopy {
 
   StandGrid grid;
   int layers = 1;
-  /// At the foot of each layer and above the last, 0..1; layer by layer, cell by cell.
+  /// Share of light, 0..1, at the foot of each layer and above the last; layer by layer, cell by cell.
   std::vector<float> light{};
   std::vector<float> top{};  ///< metres, of each cell: its highest crown
 
   double ground_light(std::size_t cell) const { return static_cast<double>(light[cell]); }
-  /// At a height, or up to a layer above it.
+  /// Share of light, 0..1, in a cell at a height in metres, or up to a layer above it.
   double light_above(std::size_t cell, double height) const {
     int layer = std::clamp(static_cast<int>(height / kLayer) + 1, 0, layers);
     return static_cast<double>(light[static_cast<std::size_t>(layer) * grid.size() + cell]);
   }
 };
 
-/// The same at any number of threads.
+/// The canopy of these trees; the same with any number of threads.
 Canopy canopy_of(std::span<const StandTree> trees, std::span<const TreeSpecies> species,
                  const StandGrid& grid);
 

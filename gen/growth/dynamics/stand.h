@@ -32,13 +32,13 @@ namespace frond {
 struct StandEvent {
   int year = 1;
   double storm = 0;                     ///< strength, 0 none .. 1 gusts of kWorstStorm, see core/events.h
-  std::optional<TreeName> cut = {};     ///< of these trees some are felled and carried away
-  double share = 0.5;                   ///< of them, drawn by lot
-  std::optional<TreeName> pruned = {};  ///< these lose their lower limbs
-  double below = 0;                     ///< metres above the foot, up to which they do
+  std::optional<TreeName> cut = {};     ///< trees of which some are felled and carried away
+  double share = 0.5;                   ///< share of these trees that are felled, drawn by lot
+  std::optional<TreeName> pruned = {};  ///< trees that lose their lower limbs
+  double below = 0;                     ///< metres above the foot up to which these trees lose limbs
 };
 
-/// Of the height of a tree, what pruning takes at most.
+/// Share of the height of a tree up to which pruning takes limbs at most.
 inline constexpr double kMostPruned = 0.6;
 
 /// Trees that stand on the land at year 0, at random places.
@@ -124,7 +124,8 @@ struct StandHistory {
   int years = 0;
   std::vector<TreeSpecies> species;
   std::vector<TreeLife> lives;  ///< by the year in which they reached breast height
-  /// Of each life at its birth, at breast height, in each fifth year and at its end.
+  /// The sizes of each life at its birth, at breast height, in each fifth year and at its end, one life after
+  /// another (TreeLife::first, `count`).
   std::vector<TreeSize> sizes{};
 };
 

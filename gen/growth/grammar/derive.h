@@ -23,8 +23,8 @@ Derivation begin(const Grammar& grammar, Seed seed);
 Errors advance(const Grammar& grammar, Derivation& derivation, int steps, Seed seed,
                const Limits& limits = {});
 
-/// The same by the general algorithm alone, module by module: slow, the reference for tests of the faster
-/// ones.
+/// Makes `steps` more steps as advance() does, but by the general algorithm alone, module by module: slow,
+/// the reference for tests of the faster algorithms.
 Errors advance_plainly(const Grammar& grammar, Derivation& derivation, int steps, Seed seed,
                        const Limits& limits = {});
 

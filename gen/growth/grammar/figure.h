@@ -16,8 +16,8 @@ struct TurtleStats {
 
 TurtleStats stats_of(const Grammar& grammar, const Word& word, Seed seed);
 
-/// The same after `steps` steps; a fractional number gives an interpolated shape (between.h). The word is not
-/// stored where that is not needed.
+/// Measurements of what the word after `steps` steps draws; a fractional number gives an interpolated shape
+/// (between.h). The word is not stored where that is not needed.
 Result<TurtleStats> stats_of(const Grammar& grammar, double steps, Seed seed, const Limits& limits = {});
 
 /// The message for a turtle that leaves the drawable range.
@@ -52,13 +52,14 @@ struct Figure {
   std::vector<Site> sites;
 };
 
-/// Whether all of it lies within the range of single precision; out_of_range() if not.
+/// Empty where all places of a figure lie within the range of single precision; else out_of_range().
 Errors check_places(const Figure& figure);
 
 Figure figure_of(const Grammar& grammar, const Word& word, Seed seed);
 
-/// The same after `steps` steps, which may be fractional. The symbols named in `organs` are sites even
-/// without `~` before them. With `named`, random values stay the same while a module lives (between.h).
+/// What the word after `steps` steps draws; `steps` may be fractional (between.h). The symbols named in
+/// `organs` are sites even without `~` before them. With `named`, random values stay the same while a module
+/// lives.
 Result<Figure> figure_of(const Grammar& grammar, double steps, Seed seed, const Limits& limits = {},
                          std::span<const std::string> organs = {}, bool named = false);
 

@@ -95,11 +95,10 @@ class Expander {
     }
   }
 
-  /// After run() returned false: the reason (`size`: emit() or `most` stopped it), and otherwise the rule
-  /// involved.
+  /// Why run() returned false (`size`: emit() or `most` stopped it), and for other reasons the rule involved.
   Stop stop() const { return stop_; }
   const Production& rule() const { return *rule_; }
-  /// Of a fault.
+  /// The message for a fault of rule(), after run() stopped with Stop::fault.
   std::string fault() const { return fault_in(rule_->text, fault_); }
 
  private:

@@ -56,7 +56,7 @@ class Turtle {
   /// The name that replaces the position in the word as source of randomness for the next module.
   void set_name(std::uint64_t name) { fed_ = name, acted_ = Seed::mix(name); }
 
-  /// Of the first turtle, if there are several.
+  /// The state of the turtle; of the first one if there are several.
   const TurtleState& state() const { return flock_.empty() ? now_ : flock_[0].now; }
 
   /// Ends the word; returns the final state.

@@ -9,7 +9,7 @@ namespace frond {
 
 namespace {
 
-/// Of a tree that lives; whole once its youth is over.
+/// The number of growth cycles of a living tree at an age in years; a whole number once its youth is over.
 double cycles_alive(const Species& s, double years) {
   assert(s.pace > 0 && s.youth > 0 && years >= 0);
   if (years <= s.youth) return s.pace * years;

@@ -11,13 +11,14 @@ namespace frond {
 /// one year, as wood rots in calendar time.
 int growth_cycles(const Species& species, double years);
 
-/// The cycle, counted from 0, that such a tree is in at an age in years: its share that is over is told, too.
+/// The cycle, counted from 0, that a tree is in at an age in years, plus the share of that cycle that is
+/// over.
 double cycle_at_age(const Species& species, double years);
 
-/// The age in years at which such a tree is in a cycle: the inverse of cycle_at_age().
+/// The age in years at which a tree is in a cycle: the inverse of cycle_at_age().
 double age_at_cycle(const Species& species, double cycle);
 
-/// The same species with its times in cycles instead of years.
+/// A copy of a species with its times in cycles instead of years.
 Species in_cycles(const Species& species);
 
 }  // namespace frond

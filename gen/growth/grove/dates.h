@@ -36,14 +36,14 @@ struct FellingTree {
   bool stands = true;
 };
 
-/// Of these trees, those that are felled in a year.
+/// For each of these trees, 1 if it is felled in a year, else 0.
 std::vector<std::uint8_t> felled_in(const Dates& dates, int year, std::span<const FellingTree> trees,
                                     Seed seed);
 
 /// The height under which a tree of that name loses its limbs in a year, metres; 0: none are taken off.
 double pruned_in(const Dates& dates, int year, const std::string& name);
 
-/// Lets the limbs fall that leave the stem below that height.
+/// Lets the limbs fall that leave the stem below the height `below`, metres.
 void prune(const Metamers& tree, double below, Seed seed, int year, Falls& falls);
 
 }  // namespace frond

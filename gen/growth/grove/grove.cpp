@@ -19,7 +19,7 @@ namespace {
 
 constexpr float kBough = 5;            // times as thick as a twig: what leaves a scar where it comes off
 constexpr float kBreastHeight = 1.3f;  // metres, at which foresters measure stems
-// Of the state, and of what the pass over loads needs besides.
+// Bytes of a metamer: of the state, and of what the pass over loads needs besides.
 constexpr std::size_t kBytesAMetamer = 2 * sizeof(Vec3) + 2 * sizeof(std::int32_t) + 7 * sizeof(float) + 2 +
                                        sizeof(Shade) + 9 * sizeof(float) + 1;
 
@@ -206,7 +206,7 @@ void fell(std::vector<Tree>& trees, const GroveOptions& options, int year) {
   }
 }
 
-/// Those that stand on all trees.
+/// The number of internodes that stand on all trees.
 std::size_t internodes_of(const std::vector<Tree>& trees) {
   std::size_t sum = 0;
   for (const Tree& tree : trees) sum += tree.sizes.empty() ? 0 : tree.sizes.back().internodes;

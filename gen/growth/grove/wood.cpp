@@ -24,11 +24,12 @@ struct Load {
     force += other.force;
     moment += other.moment;
   }
-  /// About a place.
+  /// The moment about a place.
   Vec3 about(Vec3 at) const { return moment - glm::cross(at, force); }
 };
 
-/// Of an internode; `height` is that of its middle above ground.
+/// The load of an internode by its own weight, that of its leaves and of snow, and wind. `height` is that of
+/// its middle above ground, metres.
 Load load_of(Vec3 from, Vec3 to, float height, float radius, float leaf_area, const Wood& wood,
              const Weather& weather) {
   Vec3 offset = to - from, middle = (from + to) / 2.0f;

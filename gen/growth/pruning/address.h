@@ -51,10 +51,10 @@ struct Branching {
 
 /// The axes of a skeleton, by its forks alone: the first child with the lowest order continues the axis.
 std::vector<AxisNode> axis_nodes(const Skeleton& skeleton);
-/// Those that a model tells of, or those of its skeleton.
+/// The axes that a model tells of, or else those of its skeleton.
 std::vector<AxisNode> axis_nodes(const Model& model);
 
-/// Of each node, the first node of its axis.
+/// For each node, the first node of its axis.
 std::vector<std::int32_t> axis_starts(const Branching& plant);
 
 /// A place on a plant: on the segment that ends at a node.

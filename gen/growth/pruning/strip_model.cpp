@@ -8,7 +8,7 @@ namespace frond {
 
 namespace {
 
-/// Of each node, from which share of its segment on it is bare; over 1: nowhere.
+/// For each node, the share of its segment, 0..1, from which on it is bare; above 1: it is bare nowhere.
 std::vector<float> bare_from(const Model& model, std::span<const Edit> edits) {
   const std::vector<std::int32_t>& parent = model.skeleton.parent;
   const std::vector<AxisNode> axes = axis_nodes(model);

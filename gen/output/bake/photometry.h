@@ -32,8 +32,8 @@ void fill_black(VecGrid& light);
 /// the first, so that the contrast stays (Heitz & Neyret 2018, equation 4).
 VecGrid seamless(const VecGrid& larger, int wide, int high);
 
-/// Towards the lamps of the photometry: three of them round the view, 45 degrees aslant. x to the right, y
-/// up, z to the eye.
+/// Directions towards the lamps of the photometry: three of them round the view, 45 degrees aslant. x to the
+/// right, y up, z to the eye.
 std::array<Vec3, 3> lamps();
 
 /// The normals of what is seen in ambient light, and in that and the light of one lamp each (Woodham 1980).
@@ -41,7 +41,7 @@ VecGrid normals_of(const VecGrid& ambient, const std::array<VecGrid, 3>& lit);
 
 /// A picture of the normals, 0..255 standing for -1..1.
 Raster normal_raster(const VecGrid& normals);
-/// Of colours, in sRGB.
+/// A picture of linear colours, in sRGB.
 Raster color_raster(const VecGrid& light);
 
 /// The roughness in green, of half as many pixels: where normals differ within a pixel a surface is rougher

@@ -173,7 +173,8 @@ std::size_t write_twigs(const PovSpace& space, const DrawnBranches& b, const Chu
   return groups;
 }
 
-/// The same of all other chunks: those that show no pattern share textures.
+/// The sweeps of all chunks that are no twigs; those that show no pattern share textures. Gives how many
+/// unions there are.
 template <class IsTwig>
 std::size_t write_sweeps(const PovSpace& space, const DrawnBranches& b, const ChunkOptions& options,
                          std::size_t index, const Fineness& fine, const IsTwig& is_twig, const Out& out) {

@@ -14,7 +14,7 @@ namespace frond {
 Result<std::string> frame_text(const Scene& scene, const FrameParts& parts, std::string_view layout,
                                int frame);
 
-/// The file of the soft light that is a frame's own.
+/// The name of the file with the soft light of one frame.
 std::string light_name(int frame);
 
 /// What a frame shows.
@@ -29,8 +29,9 @@ struct FrameCount {
   }
 };
 
-/// The same, piece by piece: the text of a large frame is held nowhere as a whole. `exposure`: of a frame
-/// that is made of several, which one, the first being 1; 0: the frame at its own time, whatever the shutter.
+/// Writes the text of frame_text() piece by piece: the text of a large frame is held nowhere as a whole.
+/// `exposure`: of a frame that is made of several, which one, the first being 1; 0: the frame at its own
+/// time, whatever the shutter.
 Result<FrameCount> write_frame(const Scene& scene, const FrameParts& parts, std::string_view layout,
                                int frame, const Out& out, int exposure = 0);
 

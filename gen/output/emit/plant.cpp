@@ -42,12 +42,12 @@ std::string look(std::string_view macro, const Color& color, const Color& second
   return text + ')';
 }
 
-/// Of the picture of a leaf.
+/// The texture of a leaf that shows the picture `name`.
 std::string picture_look(std::string_view name, std::size_t shade, const std::optional<Luster>& luster) {
   return lustrous(fmt::format("Tree_Leaf(\"{}\",{})", name, shade), luster, "Tree_Veined", name);
 }
 
-/// A group of organs: each line is made once and used by all parts. Gives how many objects it is.
+/// Writes a group of organs, each line made once and used by all parts. Gives the number of objects.
 std::size_t write_group(const PovSpace& space, const DrawList& drawn, const OrganGroup& group, double pixel,
                         const Out& out) {
   const Prototype& prototype = drawn.model.prototypes[group.prototype];

@@ -53,7 +53,8 @@ void append_direction(std::string& text, Vec3 direction);
 struct MatrixText {
   int decimals = 5, shift_decimals = kDecimals;
 };
-/// Of what is placed, up to `reach` metres from its origin, so that it is right to a tenth of a pixel.
+/// The decimals of a matrix that places a thing, up to `reach` metres from its origin, right to a tenth of a
+/// pixel.
 MatrixText matrix_text_for(const PovSpace& space, double reach, double pixel);
 
 /// Appends a `matrix <...>` that does to POV-Ray's space what `matrix * x + shift` does to the world, and

@@ -53,14 +53,14 @@ constexpr double kPictureBytes = 1.8;   // of a pixel of what is rendered
 constexpr double kStreaksText = 400e3;  // bytes of falling drops, and of flakes
 constexpr double kRawBytes = 5;         // of one of raw frames
 constexpr double kDrawnBytes = 0.6;     // of one of bark or a leaf
-// Of POV-Ray: bytes a second that it reads, and of models, each frame a part of them; seconds a pixel of a
+// POV-Ray: bytes a second that it reads, and of models, each frame a part of them; seconds a pixel of a
 // picture of kTracedPixels, by quality, and by which power of their number a pixel of a larger picture, where
 // fewer lie on edges, takes less; crowded scenes take more.
 constexpr double kBytesRead = 4e6, kModelsRead = 4e7, kTracedPixels = 160 * 90, kCrowd = 100, kCrowded = 5;
 constexpr double kCrowdedLight = 1000;  // copies that fill the view with cells
 constexpr double kPixelTraced[] = {1.2e-4, 3.6e-4, 1.1e-3}, kEdges[] = {0.1, 0.3, 0.3};
 constexpr double kRawPixelTraced = 4e-5, kPixelResolved = 2e-5;  // of raw frames
-// Of a view in the studio, a second: what is put into packets.
+// What a view in the studio puts into packets, a second.
 constexpr double kNodesPacked = 2e6, kOrgansPacked = 2e6, kTrianglesPacked = 1e6;
 
 double render_seconds(const CostEstimate& f, double text, double tracing, const Film& film) {
@@ -110,7 +110,7 @@ double model_bytes(const Preset& preset, const Organism& organism, const SizeEst
   double bytes = 0;
   for (int level = first; level <= last; ++level) {
     double of = std::min(kWoodNode * size.nodes + kPart * size.parts, kTriangle * kLevels[level].leaves);
-    // Of the finest there are only the blocks that are so near.
+    // Only the blocks that are so near are there at the finest level.
     bytes += (level == first && last > first ? 0.5 : 1) * of + kTriangle * size.triangles;
   }
   return bytes;
@@ -255,7 +255,7 @@ void Sums::add_sown(const Preset& preset, std::size_t o, const SizeEstimate& siz
   f.growth_seconds += models * (made + model / kModelWritten);
   view.seconds += models * (made + size.nodes / kNodesPacked + 12 * size.parts / kTrianglesPacked);
   view.longest = std::max(view.longest, made);
-  // What is too far or out of view is left out.
+  // Copies that are too far or out of view are left out.
   double lines = 0.4 * count * 2.5 * kPlacement;
   bool sways =
       (trees > 0 || dress.motion.wave.amplitude > 0 || sown_in_wind(organism, dress.motion, preset.stage)) &&

@@ -28,10 +28,10 @@ struct CostEstimate {
   /// How many frames are best written at a time, at least 1.
   int at_once(const Machine& machine) const;
   double memory(int at_once) const;
-  /// What the frames take before they are rendered, and with their pictures.
+  /// Bytes on the disk: of the frames before they are rendered, and with their pictures.
   double written() const { return frames * frame_bytes - ungrown_bytes + shared_bytes; }
   double disk() const { return written() + frames * picture_bytes; }
-  /// Of a processor, until all frames are written.
+  /// Seconds of a processor until all frames are written.
   double seconds() const { return growth_seconds + frames * frame_seconds; }
 };
 
@@ -47,13 +47,14 @@ struct ViewCostEstimate {
   double wait(int threads) const;
 };
 
-/// Of a part of the preset's film. A derivation past its limits is refused.
+/// The cost of a part of the preset's film. A derivation past its limits is an error.
 Result<CostEstimate> estimate_cost(const Preset& preset, FilmPart part);
 
-/// The same for a view. Entries of which there are none to grow cost nothing.
+/// The cost of a view of the preset. A derivation past its limits is an error; entries of which there are
+/// none to grow cost nothing.
 Result<ViewCostEstimate> estimate_view_cost(const Preset& preset);
 
-/// Why the machine cannot bear it: the figures and what to change. Empty where it can.
+/// Why the machine cannot bear an estimated cost: the figures and what to change. Empty where it can.
 Errors refuse(const CostEstimate& estimate, const Machine& machine);
 Errors refuse(const ViewCostEstimate& estimate, const Machine& machine);
 

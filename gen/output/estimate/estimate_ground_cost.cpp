@@ -17,14 +17,14 @@ namespace frond {
 
 namespace {
 
-// Of ground that is not laid for the forecast, as measured over the presets: bytes of text of a triangle, of
-// one whose triangles share few corners, of a placement; bytes of memory.
+// Ground that is not laid for the forecast, as measured over the presets: bytes of text of a triangle, of one
+// whose triangles share few corners, of a placement; bytes of memory of a triangle and of a placement.
 constexpr double kLaidTriangleText = 39, kGrassTriangleText = 100, kLaidPlacementText = 122;
 constexpr double kLaidTriangleHeld = 40, kLaidPlacementHeld = 60;
 constexpr double kLaidAtOnce = 1e6;                        // triangles and placements
 constexpr double kGroundLaid = 1e6, kGroundWritten = 5e7;  // triangles and placements a second; bytes
-// Of light: bytes of a line of its file; lines for a column of cells on bare land, on land where grass or
-// litter stands, and for each cell in that.
+// Soft light: bytes of a line of its file; lines for a column of cells on bare land, on land where grass or
+// litter stands, and for each cell in grass or litter.
 constexpr double kProbeText = 61, kProbesBare = 4, kProbesCovered = 9, kProbesCover = 6;
 constexpr double kCrowdedProbes = 2.2;  // times as many where what is sown or dense grass fills the view
 constexpr double kDenseCover = 2;       // m2 of leaves a square metre
@@ -34,10 +34,11 @@ constexpr double kCellLit = 5.4e-8, kProbeLit = 4.1e-6;
 constexpr double kTriangleLit = 1.4e-7;  // of one that stands before it is in the grids
 constexpr double kFarVertexLaid = 5e-6;  // seconds: of the far land, for the forecast and again
 constexpr double kPlainLight = 0.65;     // of the time that rays take whose light passes through a picture
-// Of the snow on the ground, a triangle: bytes of text, of memory, seconds. Of puddles: bytes and seconds.
+// Snow on the ground, for each triangle: bytes of text and of memory, seconds. Puddles: bytes of text,
+// seconds.
 constexpr double kSnowText = 40, kSnowHeld = 190, kSnowLaid = 8e-6;
 constexpr double kPuddlesText = 3e5, kPuddlesFilled = 0.05;
-// Of a picture that a frame has of its own, a pixel.
+// A picture that a frame has of its own, for each pixel: bytes, seconds.
 constexpr double kOwnPixelBytes = 0.25, kOwnPixelSeconds = 8e-7;
 
 }  // namespace

@@ -7,10 +7,11 @@ namespace frond {
 /// What a setting takes by itself, with nothing grown in it.
 struct GroundCostEstimate {
   double bytes = 0, memory = 0, seconds = 0;  ///< of its text; that it holds; to lay and write it
-  /// Of soft light: bytes of its file, bytes held and seconds while it is worked out. None where lamps shine.
+  /// Cost of soft light: bytes of its file, bytes held and seconds while it is worked out; 0 where lamps
+  /// shine.
   double light_bytes = 0, light_memory = 0, light_seconds = 0;
-  double pictures = 0;         ///< bytes of those that each frame has of its own
-  double picture_seconds = 0;  ///< to draw these
+  double pictures = 0;         ///< bytes of the pictures that each frame has of its own
+  double picture_seconds = 0;  ///< seconds to draw these pictures
   double tracing = 1;          ///< share of the time that rays take where there are such pictures
 };
 

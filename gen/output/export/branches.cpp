@@ -47,7 +47,8 @@ Vec3 brightness_at(Vec3 at) {
   return Vec3(static_cast<float>((185 + seed.unit() * 70) / 255));
 }
 
-/// Of each node, whether it is of a root that runs out from the foot: as low as the foot is thick, and short.
+/// For each node, whether it is of a root that runs out from the foot: as low as the foot is thick, and
+/// short.
 std::vector<char> roots_of(const Skeleton& s) {
   constexpr float kReach = 4;  // radii of the foot
   std::vector<char> roots(s.size(), 0);

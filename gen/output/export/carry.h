@@ -13,7 +13,7 @@ namespace frond {
 ExportShift carried_on(const Skeleton& rest, const Pose& from, const Pose& to, const Surface& surface,
                        std::span<const std::int32_t> node);
 
-/// What leads from a surface to another one of the same triangles.
+/// How the vertices of a surface differ from those of another one of the same triangles.
 ExportShift shift_between(const Surface& from, const Surface& to);
 
 inline constexpr double kAllTriangles = 1e18;
@@ -23,7 +23,7 @@ struct Simplified {
   Surface surface;
   std::vector<std::uint32_t> source;
 
-  /// The same of another surface whose vertices are those of the whole, elsewhere.
+  /// Another surface, with the vertices of the whole in other places, reduced to those of `surface`.
   Surface of(const Surface& other) const;
 };
 Simplified drawn_with(const Surface& whole, double triangles);

@@ -255,7 +255,7 @@ Result<ExportScene> export_scene(const Scene& scene, double time, const ExportOp
       exported.absent.push_back(name);
   }
   if (Errors errors = add_sown(maker, scene, time); !errors.empty()) return errors;
-  // Of what has not begun to grow an empty file is written, so that a series of frames has one for each.
+  // What has not begun to grow becomes an empty file, so that a series of frames has one for each.
   if (exported.placements.empty() && exported.absent.empty())
     return Error{"", "nothing grows or stands at that frame: there is nothing to write"};
   if (!options.keys.empty() && std::ranges::none_of(exported.meshes, &ExportMesh::moves))

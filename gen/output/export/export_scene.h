@@ -38,7 +38,7 @@ struct ExportMaterial {
 /// A linear factor of the colour at one vertex, 255 being 1.
 using ExportTint = std::array<std::uint8_t, 4>;
 
-/// By how much each vertex is elsewhere in another shape of a surface, and its normal another.
+/// How far the position and the normal of each vertex differ in another shape of a surface.
 struct ExportShift {
   std::vector<Vec3> position, normal;
 };
@@ -54,8 +54,8 @@ struct ExportPart {
 struct ExportMesh {
   std::string name;  ///< as that of a material
   std::vector<ExportPart> parts;
-  /// The same in fewer triangles, level by level from 1 on; empty where nothing of it is left or another mesh
-  /// of the organism shows it.
+  /// The parts in fewer triangles, level by level from 1 on; empty where nothing of the mesh is left or
+  /// another mesh of the organism shows it.
   std::vector<std::vector<ExportPart>> coarser = {};
 
   bool has_level(std::size_t level) const {

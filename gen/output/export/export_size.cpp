@@ -17,7 +17,7 @@ void count(ExportSize& size, const Surface& surface, double times, bool fresh) {
   size.all_vertices += vertices * times, size.all_triangles += triangles * times;
 }
 
-/// Of the branches of one organism.
+/// Adds the vertices and triangles of the branches of one organism.
 void count_branches(ExportSize& size, const Specimen& b, const ExportOptions& options) {
   double vertices = 0, triangles = 0;
   auto nodes = static_cast<double>(b.model.skeleton.size());

@@ -46,14 +46,14 @@ std::map<std::size_t, LeafSize> most_larger(const std::vector<LeafPart>& parts);
 /// bend with it.
 Surface card_of(const Surface& leaf, int rows);
 
-/// Of its triangles, metres.
+/// The longest edge of the triangles of a surface, metres.
 double longest_edge(const Surface& surface);
 
 /// A surface of about so many triangles and of the area that its pieces show, none of its edges longer than
 /// `longest`, metres, if more triangles are needed for that.
 Surface fewer_leaves(const Surface& surface, double triangles, double longest);
 
-/// Scales each piece about its middle by as much.
+/// Scales each piece of a surface about its middle by a factor.
 void grow_pieces(Surface& surface, float factor);
 
 /// Moves pieces of parts into a box, and those next to its faces to touch them.

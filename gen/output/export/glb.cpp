@@ -27,7 +27,7 @@ void append_numbers(std::string& json, std::initializer_list<Number> numbers) {
   json += fmt::format("[{}]", fmt::join(numbers, ","));
 }
 
-/// The same for what must be equal to the floats of the binary part in whatever precision it is read.
+/// Appends what must be equal to the floats of the binary part in whatever precision it is read.
 void append_exactly(std::string& json, Vec3 v) { append_numbers<double>(json, {v.x, v.y, v.z}); }
 
 void append_count(std::string& json, std::size_t n) { append_integer(json, static_cast<long long>(n)); }

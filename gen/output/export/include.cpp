@@ -135,7 +135,7 @@ class Writer {
     return calls;
   }
 
-  /// All that has grown by itself, as in a frame.
+  /// The text of all that has grown by itself, as in a frame.
   static Result<ObjectText> fine_text(const Scene& scene, const FrameParts& parts, int frame) {
     ObjectText text;
     Result<FrameCount> count = write_frame(scene, parts, "\n{{organisms}}\n", frame,
@@ -145,7 +145,7 @@ class Writer {
     return text;
   }
 
-  /// The same as models are drawn.
+  /// The text of all that has grown by itself, drawn as models of copies are.
   ObjectText coarse_text(const Scene& scene, const FrameParts& parts, const std::vector<double>& heights,
                          int detail) {
     ObjectText text;

@@ -27,7 +27,7 @@ struct Maker {
   const ExportOptions& options;
   Palette palette{exported, options};
   Names group_names{}, mesh_names{};
-  int level = 0;                               ///< of detail, that what is added next is
+  int level = 0;                               ///< level of detail of what is added next
   std::map<std::string, std::size_t> begun{};  ///< the meshes of this organism, by what was asked for
   std::vector<CrossedLevel> crossed{};
   double spare = 0;  ///< triangles that wood and bodies may have above their share
@@ -37,7 +37,7 @@ struct Maker {
     exported.groups.push_back({group_names.unique(name), foot, sown});
     begun.clear();
   }
-  /// Of the first level's triangles, that what is added next may have.
+  /// Share of the first level's triangles that what is added next may have.
   double share() const { return std::pow(kCoarser, level); }
   const std::string& name() const { return exported.groups.back().name; }
   Vec3 foot() const { return exported.groups.back().foot; }

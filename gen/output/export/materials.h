@@ -58,11 +58,11 @@ class Palette {
     Vec3 tint_at(float age) const { return glm::mix(Vec3(1), young, age) / glm::max(young, Vec3(1)); }
   };
 
-  /// Of branches of one of the bark's colours; `name` is what the material is called. Where `ages`, tips
-  /// differ.
+  /// The material of branches of one of the bark's colours; `name` is what the material is called. Where
+  /// `ages`, tips differ.
   Use branches(const Look& look, double brightness, std::size_t color, const std::string& name,
                bool ages = false);
-  /// Of cubes of a side in metres.
+  /// The material of cubes with a side in metres.
   Use cubes(const BranchLook& look, double brightness, std::size_t color, double side,
             const std::string& name);
   /// Metres that the picture of branches of a colour is wide and high; of coats, 1 and 1.
@@ -70,14 +70,14 @@ class Palette {
   /// How a part of an organ lies on its picture: not at all, as a mesh of its own, or as a card that is cut
   /// out of it.
   enum class Lies { nowhere, mesh, card };
-  /// Of a part of an organ in one of its colours.
+  /// The number of the material of a part of an organ, or of a blade, in one of its colours.
   std::size_t organ(const Look& look, const Prototype& organ, std::size_t part, std::size_t color, Lies lies,
                     const std::string& name);
   std::size_t blade(const BladeLook& look, std::size_t color, const std::string& name);
-  /// Of a body of this material, on its own `uv` where it is a `vessel` or wears a picture of the look's.
+  /// The material of a body, on its own `uv` where it is a `vessel` or wears a picture of the look's.
   Use body(const Look& look, const Material& material, const Solid* vessel, const std::string& name);
 
-  /// A material that shows pictures which are there.
+  /// The number of a material that shows given pictures.
   std::size_t shown(ExportMaterial made, const std::string& name, BakedPictures pictures);
 
   /// Draws the pictures of all materials.

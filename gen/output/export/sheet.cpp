@@ -14,7 +14,7 @@ namespace {
 constexpr int kMargin = 1;    // pixels
 constexpr double kSteep = 8;  // how fast opacity falls with the rank
 
-/// Of a pixel and those next to it.
+/// The mean cover of a pixel and those next to it, 0..1.
 float mean_cover(const Portrait& portrait, int x, int y) {
   float sum = 0;
   for (int v = std::max(y - 1, 0); v <= std::min(y + 1, portrait.high - 1); ++v)
@@ -23,8 +23,8 @@ float mean_cover(const Portrait& portrait, int x, int y) {
   return sum / 9;
 }
 
-/// Of each pixel, the share of the covered from which it is opaque; 0 where nothing is. Leaves and wood are
-/// ranked apart, or thin branches would outlast the leaves round them.
+/// For each pixel, the least share of the covered area, 0..1, at which it is opaque; 0 where nothing covers
+/// it. Leaves and wood are ranked apart, or thin branches would outlast the leaves round them.
 std::vector<float> ranks_of(const Portrait& portrait) {
   std::vector<float> ranks(portrait.cover.size(), 0.0f), key(portrait.cover.size(), 0.0f);
   Seed seed{35};
@@ -35,7 +35,7 @@ std::vector<float> ranks_of(const Portrait& portrait) {
       float cover = portrait.cover[i];
       if (cover <= 0 || (portrait.leaves[i] >= 0.5f * cover) != leaf) continue;
       auto wide = static_cast<std::size_t>(portrait.wide);
-      // Of full pixels a trunk keeps those inside it, and a crown gets gaps.
+      // Among full pixels a trunk keeps those inside it, and a crown gets gaps.
       float next = leaf ? static_cast<float>(seed.child(i).unit())
                         : mean_cover(portrait, static_cast<int>(i % wide), static_cast<int>(i / wide));
       key[i] = cover + 0.01f * next;

@@ -38,7 +38,7 @@ bool is_written_to(std::string_view name) {
   return name == "frames" || name == ".lock" || name == ".times" || name.starts_with(".ninja_");
 }
 
-/// Of "frame_0001_s3.pov" 3; else 0.
+/// The exposure in the name of a file: 3 of "frame_0001_s3.pov"; 0 where there is none.
 int exposure_of(std::string_view name) {
   std::size_t at = name.find("_s");
   if (!name.starts_with("frame_") || at == name.npos) return 0;

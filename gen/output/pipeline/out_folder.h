@@ -10,8 +10,9 @@
 
 namespace frond {
 
-/// Says to other runs that a folder is at work in, as long as it lives: a shared lock on the folder itself.
-/// Waits while another run tidies it up. Where the file system knows no locks, nobody is ever alone.
+/// Tells other runs, as long as this object lives, that a run is at work in a folder: a shared lock on the
+/// folder itself. Waits while another run tidies the folder up. Where the file system knows no locks, nobody
+/// is ever alone.
 class FolderInUse {
  public:
   /// Makes the folder where it is not there.
@@ -20,14 +21,15 @@ class FolderInUse {
   FolderInUse(const FolderInUse&) = delete;
   FolderInUse& operator=(const FolderInUse&) = delete;
 
-  /// Whether no other run is at work there. If so, others wait from now on.
+  /// Whether no other run is at work in the folder. If so, others wait from now on.
   bool by_us_alone();
 
  private:
   int file_ = -1;
 };
 
-/// Why nothing could be written to a folder, or to a file: what stands in its way.
+/// Why nothing can be written to a folder, or to a file: a file, folder or permission that prevents it. Empty
+/// where it can be written to.
 Errors refuse_folder(const std::filesystem::path& folder);
 Errors refuse_file(const std::filesystem::path& file);
 
@@ -36,7 +38,7 @@ Errors refuse_file(const std::filesystem::path& file);
 /// names (.ninja_log, .times, lists), and all frames go through the folder `frames`: no link may stand there.
 Errors refuse_links(const std::filesystem::path& out);
 
-/// The same of one path that is to be written to.
+/// An error where a path that is to be written to is a link; empty otherwise.
 Errors refuse_link(const std::filesystem::path& path);
 
 /// Removes the pictures of earlier runs that do not count as done, so that they are made again: frames of the

@@ -25,7 +25,7 @@ struct RenderSettings {
   std::string ffmpeg = "ffmpeg";
 };
 
-/// What write_film() has written is rendered and made a film, as far as it is not there yet.
+/// Renders what write_film() has written and makes the film of it, as far as it is not there yet.
 class RenderRun {
  public:
   /// `environment`: what ninja's commands are given.
@@ -33,7 +33,7 @@ class RenderRun {
 
   Outcome run();
 
-  /// Of a run that was done: the files made, and how many frames were rendered for them.
+  /// After a run that was done: the files made, in its folder, and how many frames were rendered for them.
   std::vector<std::string> results() const;
   int rendered() const { return left_ ? left_->done() : 0; }
   const Manifest& manifest() const { return manifest_; }

@@ -33,7 +33,7 @@ class OpenFolder {
   OpenFolder(const OpenFolder&) = delete;
   OpenFolder& operator=(const OpenFolder&) = delete;
 
-  /// The same folder under a name without blanks or quotes.
+  /// A name of the folder without blanks or quotes, as long as this object lives.
   std::string name() const { return fmt::format("/proc/self/fd/{}", file_); }
 
  private:
@@ -232,8 +232,8 @@ class FrameRun {
     return put_in_place(files_.plain, job_.picture);
   }
 
-  /// What it has taken of processors, now and in earlier runs; nothing where one of those was killed that
-  /// could not say it.
+  /// Milliseconds of processors that the frame has taken, now and in earlier runs; nothing where one of those
+  /// was killed that could not say it.
   std::optional<long> milliseconds() const {
     if (!time_) return std::nullopt;
     long sum = *time_;

@@ -22,7 +22,8 @@ bool take_number(std::string_view& text, Number& number) {
   return true;
 }
 
-/// Of "... +RFlight_0123.rca ..." the name of the file.
+/// The name of the file of soft light in a line: "light_0123.rca" of "... +RFlight_0123.rca ..."; empty where
+/// there is none.
 std::string light_of(std::string_view line) {
   constexpr std::string_view kFlag = "+RF", kEnd = ".rca";
   for (std::size_t at = 0; (at = line.find(kFlag, at)) != line.npos; ++at) {
@@ -34,7 +35,8 @@ std::string light_of(std::string_view line) {
   return {};
 }
 
-/// Of "+SC1 +EC64 +SR33 +ER96 (of which 10,40,50x30)" the flags and the numbers.
+/// Reads the flags and the numbers of a crop from a line as "+SC1 +EC64 +SR33 +ER96 (of which 10,40,50x30)";
+/// other lines change nothing.
 void read_crop(std::string_view line, SceneHead& head) {
   constexpr std::string_view kWhich = " (of which ";
   std::size_t flags = line.find(" +SC"), at = line.find(kWhich);

@@ -22,7 +22,7 @@ constexpr std::uintmax_t kHead = 512;   // bytes in front of the messages
 constexpr std::uintmax_t kAround = 20;  // bytes of a message that its length does not count
 constexpr std::string_view kFile = "POV-Ray Render State File", kMessage = "POVRAYMS";
 constexpr std::string_view kCoarse = "PxSe";  // of a message that holds coarse pixels
-// Of one that holds the first block: the whole number PiId, 4 bytes long, is 0.
+// Part of a message that holds the first block: the whole number PiId, 4 bytes long, is 0.
 constexpr std::string_view kFirstBlock("PiIdINT4\0\0\0\4\0\0\0\0PiSi", 20);
 
 bool is_notes(std::ifstream& in) {

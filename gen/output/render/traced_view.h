@@ -15,13 +15,14 @@ Result<std::string> traced_png(const std::filesystem::path& state, const std::fi
 /// A PNG file that shows a picture while it is traced.
 class TracedView {
  public:
-  /// Of pictures of that size, which POV-Ray draws in the folder `drawn` from the scenes in `frames`.
+  /// Shows in `file` pictures of that size, which POV-Ray draws in the folder `drawn` from the scenes in
+  /// `frames`.
   TracedView(std::filesystem::path file, std::filesystem::path frames, std::filesystem::path drawn,
              std::array<int, 2> size)
       : file_(std::move(file)), frames_(std::move(frames)), drawn_(std::move(drawn)), size_(size) {}
 
-  /// Writes the blocks that there are of the picture that was worked on last: once a second, and less often
-  /// where that takes long. `now`: seconds, by any clock. Returns whether it has.
+  /// Writes the blocks traced so far of the picture that was worked on last: once a second, and less often
+  /// where that takes long. `now`: seconds, by any clock. Returns whether it has written.
   bool look(double now);
 
  private:

@@ -45,9 +45,9 @@ struct BranchLook {
   bool drawn() const { return skin || bark; }
   bool coral() const { return skin.has_value(); }
   bool plant() const { return bark.has_value(); }
-  /// Of a coral that light and shade tell on; sea fans take their food from the water alone.
+  /// Whether light and shade tell on this coral; sea fans take their food from the water alone.
   bool living() const { return skin && skin->kind != SkinKind::fan; }
-  /// Null where there are none.
+  /// The polyps of the skin; null where there are none.
   const Polyps* polyps() const;
   /// How many colours the turtle chooses from, how many there are with those of other barks, and which of
   /// them a number means.

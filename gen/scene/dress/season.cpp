@@ -139,7 +139,7 @@ class Moment {
     if (!full_.supple.empty()) out_.supple.push_back(full_.supple[i] * (1 - at.loose));
   }
 
-  /// What is left of a thing on its way down, if it is one of those that do not lie.
+  /// The share of its size, 0..1, that a thing on its way down still has; one that comes to lie keeps it all.
   float left(float fallen, Seed own) const {
     bool lies = ground_ && own.child("lies").unit() < s_.litter;
     return lies ? 1 : 1 - smooth_step(0.6f, 1.0f, fallen);
@@ -148,7 +148,7 @@ class Moment {
   void add_leaf(std::size_t i, const Prototype& shape, Seed own) {
     LeafState state = leaf_state(s_, year_, own);
     float size = state.size * left(state.fallen, own);
-    // Of a sprig single leaves come down.
+    // A sprig loses single leaves: it becomes smaller as it begins to fall.
     if (shape.name == "sprig") size *= 1 - 0.55f * smooth_step(0.0f, 0.3f, state.fallen);
     if (size < kLeast) return;
     Flight at{full_.position[i], full_.turn[i], 0};

@@ -73,7 +73,8 @@ using GroundAt = std::function<double(double, double)>;
 void in_season(Organs& organs, const std::vector<Prototype>& prototypes, const Seasons& seasons, double time,
                Seed seed, const GroundAt& ground = {});
 
-/// The same for a whole model.
+/// Changes the leaves of a whole model to their state at a time in seconds, and adds its flowers, as the
+/// other in_season() does with organs.
 void in_season(Model& model, const Seasons& seasons, double time, Seed seed, const GroundAt& ground = {});
 
 }  // namespace frond

@@ -6,7 +6,7 @@
 
 namespace frond {
 
-/// Of living tissue, and in pits and grooves.
+/// The colours of a skin: of its tissue, and in pits and grooves.
 struct SkinColors {
   Vec3 tissue{0}, pits{0};
 };
@@ -14,15 +14,15 @@ struct SkinColors {
 /// A colour with a coral's hue, saturation and value.
 Vec3 tinted(const Color& color, const Tint& tint);
 
-/// Of old skin and of that at growing tips.
+/// The colours of old skin, and of skin at growing tips.
 SkinColors old_skin(const Skin& skin);
 SkinColors young_skin(const Skin& skin);
 
-/// Of skin that neighbours shade: bleached, and dead.
+/// The colours of skin that neighbours shade: bleached, and dead.
 SkinColors bleached_skin(const Skin& skin);
 SkinColors dead_skin(const Skin& skin);
 
-/// Of cubes at growing tips, which have no pits.
+/// The colour of cubes at growing tips, which have no pits.
 Vec3 young_cube(const Tint& tint);
 
 }  // namespace frond

@@ -68,10 +68,10 @@ class FarLand {
   const FarLandShape& shape() const { return shape_; }
   const GroundEdge& edge() const { return edge_; }
 
-  /// Metres; at the edge the height and slope of the near ground. Details that lines `spacing` metres apart
-  /// cannot show are left out.
+  /// The height at a place, metres; at the edge the height and slope of the near ground. Details that lines
+  /// `spacing` metres apart cannot show are left out.
   double height(Vec2 at, double spacing = 0) const;
-  /// Rise over run there, seen over `spacing` metres.
+  /// The slope at a place, rise over run along x and z, seen over `spacing` metres.
   Vec2 slope(Vec2 at, double spacing) const;
 
   /// Parcels are Voronoi cells of sites that lie in rows along the main direction.
@@ -80,7 +80,7 @@ class FarLand {
   /// A mountain is what lies above the tree line or is steep and high.
   FarCover cover(Vec2 at, const Parcel& parcel, double height, Vec2 slope) const;
 
-  /// Of the main direction of parcels and roads, of length 1.
+  /// The main direction of parcels and roads, of length 1.
   Vec2 along() const { return along_; }
   /// Places in the middle of roads where villages are, and the direction of the road there.
   struct Village {

@@ -27,15 +27,15 @@ struct GroundDisc {
   double beyond = 0;  ///< metres from the middle to which more of them follow, each as much wider than the
                       ///< last; less than the radius: none
 
-  /// So much larger as to reach `reach` metres: with more rings in proportion, up to `most` metres, so that
-  /// what is near stays as fine; beyond that by few more, however far it is.
+  /// This disc enlarged so that it reaches `reach` metres: with more rings in proportion, up to `most`
+  /// metres, so that what is near stays as fine; beyond that by few more, however far it is.
   GroundDisc reaching(double reach, double most) const;
 };
 
 /// The floor as a round mesh about `centre` (x, z). The relief fades out toward its edge.
 Surface ground_surface(const Ground& ground, Vec2 centre, const GroundDisc& disc);
 
-/// The same for any ground with `height` at (x, z).
+/// A ground of any `height` at (x, z) as a round mesh about `centre` (x, z); its relief does not fade out.
 Surface ground_surface(const std::function<double(Vec2)>& height, Vec2 centre, const GroundDisc& disc);
 
 /// Heights of a mesh without overhangs. As fast far from the origin as near it.

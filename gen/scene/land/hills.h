@@ -11,8 +11,8 @@ namespace frond {
 /// `spacing` metres apart cannot show is left out.
 double hill_noise(Vec2 at, double hill_size, double rough, double spacing, Seed seed);
 
-/// The same hills as running water leaves them: spurs and gullies lead down their flanks, smaller ones down
-/// the flanks of these, and so on. `erosion` 0 is hill_noise(), 1 high mountains.
+/// The hills of hill_noise() as running water leaves them: spurs and gullies lead down their flanks, smaller
+/// ones down the flanks of these, and so on. `erosion` 0 is hill_noise(), 1 high mountains.
 double eroded_hill_noise(Vec2 at, double hill_size, double rough, double erosion, double spacing, Seed seed);
 
 }  // namespace frond

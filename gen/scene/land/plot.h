@@ -32,10 +32,10 @@ struct GroundArea {
   std::vector<SplinePoint<Vec2>> outline = {};  ///< closed by itself; empty: the rectangle
   bool curve = false;  ///< whether the outline is smooth at points without handles, too
 
-  /// Of the outline as a polygon.
+  /// The outline as a polygon; empty without an outline.
   std::vector<Vec2> corners() const;
 
-  /// The corners of what encloses it, lowest and highest x and z.
+  /// Two corners of the box that encloses the area: lowest and highest x and z, metres.
   std::array<Vec2, 2> box() const;
 };
 
@@ -51,7 +51,7 @@ class Plot {
   double path_middle_distance(Vec2 at) const;
   /// Metres to the edge of the path or of an area of gravel, which is uneven; negative on it.
   double path_distance(Vec2 at) const;
-  /// The same of areas of earth.
+  /// Metres to the edge of an area of earth, which is uneven; negative on it.
   double earth_distance(Vec2 at) const;
 
   /// The height of ground that was at height `lawn`: level round the pond and under the path, a basin in the

@@ -46,27 +46,28 @@ class StreamCourse {
 
   bool flows() const { return !course_.empty(); }
   const std::vector<StreamPoint>& course() const { return course_; }
-  /// Metres to its shore, negative on the water.
+  /// Metres to the shore of the stream, negative on the water.
   double distance(Vec2 at) const;
-  /// The height of land that was at `land`: its bed, and banks that rise from it.
+  /// The height of land that was at height `land`: the bed of the stream, and banks that rise from it.
   double height(Vec2 at, double land) const;
-  /// The same of ground that is seen beside the bed alone: lower below it.
+  /// The height of ground that is seen beside the bed alone and was at height `land`: that of height(), but
+  /// lower below the bed.
   double ground(Vec2 at, double land) const;
-  /// Moves all of it up.
+  /// Moves the whole course up by so many metres.
   void raise(float by);
 
-  /// Metres a second of its water on average, after Manning (1891) with a roughness of 0.06, a bed of cobbles
-  /// (Chow 1959).
+  /// The mean speed of the water, metres a second, after Manning (1891) with a roughness of 0.06, a bed of
+  /// cobbles (Chow 1959).
   double speed() const { return speed_; }
 
-  /// Its water: level across, `uv` metres along and across. Its bed: `uv` is how deep each place lies below
+  /// The water: level across, `uv` metres along and across. The bed: `uv` is how deep each place lies below
   /// the water, metres, and 0.
   Surface water() const;
   Surface bed() const;
-  /// Stones in its bed and on its banks.
+  /// Stones in the bed of the stream and on its banks.
   Solids stones() const;
-  /// What drifts on it at a time, seconds; in a film that loops after `loop` seconds the same after that. 0:
-  /// it does not loop.
+  /// Leaves that drift on the water at a time, seconds; in a film that loops after `loop` seconds the same
+  /// after that. 0: it does not loop.
   std::vector<Afloat> leaves(double time, double loop) const;
 
  private:

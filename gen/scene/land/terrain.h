@@ -28,11 +28,11 @@ class Terrain {
   /// `hill_size` if that is larger, is `hills` within a tenth.
   Terrain(const TerrainShape& shape, Seed seed);
 
-  /// Metres; beyond the mesh the height of its rim.
+  /// The height of the land, metres; beyond the mesh the height of its rim.
   double height(double x, double z) const;
-  /// Of length 1, smooth: interpolated between the grid's vertices.
+  /// The normal of the land, of length 1, smooth: interpolated between the grid's vertices.
   Vec3 normal(double x, double z) const;
-  /// Radians from the horizontal, by the normal.
+  /// The slope of the land, radians from the horizontal, by the normal.
   double slope(double x, double z) const;
 
   /// Metres to the edge of the path; negative on it. In the sown square the land is level across the path.

@@ -23,7 +23,7 @@ class Surroundings {
   /// A lower bound of the distance to the border of its territory and to existing bodies, metres; negative
   /// beyond. Bodies farther than `within` are ignored.
   float room(Vec3 at, float within) const;
-  /// The same for the border of its territory alone.
+  /// A lower bound of the distance to the border of the colony's territory alone, metres; negative beyond.
   float border(Vec3 at) const;
   /// The nearest point and outward normal on a body or, if none is within reach, on the ground.
   struct Hold {

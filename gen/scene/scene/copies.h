@@ -9,12 +9,12 @@
 
 namespace frond {
 
-/// The blocks of its room that a model is cut into, so that what of it is near can be fine and the rest
-/// coarse. What is no more than a few metres wide is one block.
+/// The blocks of space that a model is cut into, so that its near parts can be fine and the others coarse. A
+/// model no more than a few metres wide is one block.
 class ModelBlocks {
  public:
   ModelBlocks() = default;
-  /// Of a model that has bits there.
+  /// The blocks of a model; `bits` are places all over it, in metres.
   explicit ModelBlocks(std::span<const Vec3> bits);
 
   int count() const { return static_cast<int>(cells_.size()); }
@@ -24,7 +24,7 @@ class ModelBlocks {
   float radius() const {
     return 0.87f * side_ + 0.3f;
   }                       ///< of a ball round each that holds all of it, metres
-  int of(Vec3 at) const;  ///< the block there, or the nearest
+  int of(Vec3 at) const;  ///< the block that holds a place, or the nearest one
   /// Metres from a place to the box that holds all of a block; 0 within.
   float distance(int block, Vec3 at) const {
     return glm::length(glm::max(glm::abs(at - middle(block)) - (0.5f * side_ + 0.3f), Vec3(0)));

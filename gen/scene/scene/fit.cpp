@@ -15,7 +15,7 @@ constexpr std::size_t kDirections = 256;
 constexpr double kEyeLevel = 0.12;  // metres that the lens is above the ground at least
 constexpr double kFarthest = 1000;  // metres, as a location may be
 
-/// Of points and balls the outermost in each of many directions.
+/// The outermost of points and balls in each of many directions.
 class Outside {
  public:
   Outside() {
@@ -108,7 +108,8 @@ View filled(Vec3 toward, const std::vector<Vec3>& points, double wide, double hi
   return {Vec3(along * f + (right - left) / 2 * r + (top - bottom) / 2 * u), Vec3(f)};
 }
 
-/// The same from a height that is given: how far back to stand is found by halving, turning to their middle.
+/// The view of all points from a given height: how far back the camera stands is found by halving, and it
+/// turns to their middle.
 View filled_from(double height, Vec3 toward, const std::vector<Vec3>& points, double wide, double high) {
   DVec3 middle(0);
   for (const Vec3& p : points) middle += DVec3(p) / static_cast<double>(points.size());

@@ -7,11 +7,12 @@
 
 namespace frond {
 
-/// Points on the outside of the named organisms as they are when they have grown, some hundred: no plane
-/// has more of them before it than these by more than a hundredth of their size. Of what is sown, its room.
+/// Points on the outside of the named organisms as they are when they have grown, some hundred: no plane has
+/// more of the organisms before it than of these points by more than a hundredth of their size. For organisms
+/// that are sown the room that each copy takes counts.
 std::vector<Vec3> outside_of(const Scene& scene, const std::vector<std::string>& names);
 
-/// The same of one model.
+/// Points on the outside of one model, some hundred.
 std::vector<Vec3> outside_of(const Model& model);
 
 /// The camera moved, at each of its keyframes, to where the points fill its picture but for its margins. It

@@ -56,7 +56,8 @@ class NeedFinder {
   using Unmet = std::function<void(const Value&, const std::string&, std::string_view)>;
   explicit NeedFinder(const Unmet& unmet) : unmet_(unmet) {}
 
-  /// Of the members of an object, whose topics stand below `path`, or in part below `common`.
+  /// Visits the members of an object, whose topics stand below `path`, or in part below `common`, and calls
+  /// `unmet` for those whose needs are not met.
   void look(const Value& object, const std::string& path, const std::string& common,
             const std::string& pointer) const {
     for (const Member& member : object.members) {

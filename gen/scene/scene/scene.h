@@ -86,14 +86,14 @@ struct Scene {
 
   /// Nodes of all skeletons.
   std::size_t nodes() const;
-  /// What it holds in memory, about.
+  /// Bytes of memory that the scene holds, about.
   std::size_t bytes() const;
 
-  /// Where it is not what it promises: one line for the first fault, empty when all is well.
+  /// Checks all invariants: one line for the first fault, empty when all is well.
   std::string check() const;
 };
 
-/// Whom build_scene tells how far it is.
+/// Functions by which build_scene() tells how far it is.
 struct ProgressSink {
   std::function<void(std::string_view phase, std::size_t steps)> begin;
   std::function<void()> step;  ///< one more of the phase is done; called from several threads
@@ -103,9 +103,9 @@ struct ProgressSink {
 
 class SpecimenCache;
 
-/// Of what a cache has not, these entries alone grow, among what is there; all others of that kind are left
-/// out, and so is what grows among them, as it may come to look otherwise. A camera that is to fit them all
-/// stays as it is.
+/// The entries that may grow where the cache does not have them, among what is there; without a set all may.
+/// Other entries that the cache does not have are left out, and so is what grows among them, as it may come
+/// to look otherwise. A camera that is to fit all organisms stays as it is.
 using EntryFilter = std::optional<std::set<std::size_t>>;
 
 /// Places and grows everything, and lays what is round it: the phases "place", "grow" and "surround". What a

@@ -49,14 +49,14 @@ struct BoxGrid {
     return static_cast<std::size_t>(count[0]) * static_cast<std::size_t>(count[1]) *
            static_cast<std::size_t>(count[2]);
   }
-  /// None outside.
+  /// The index of the box of a place; none outside the grid.
   std::optional<std::size_t> find(Vec3 at) const {
     Vec3 g = glm::floor((at - low) / cell);
     if (!(g.x >= 0 && g.y >= 0 && g.z >= 0)) return std::nullopt;
     if (g.x >= side(0) || g.y >= side(1) || g.z >= side(2)) return std::nullopt;
     return index(g);
   }
-  /// That of a place which the grid was laid round.
+  /// The index of the box of a place that the grid was laid round.
   std::size_t of(Vec3 at) const {
     assert(std::isfinite(glm::dot(at, at)) && "a body of finite places");
     Vec3 g = glm::floor((at - low) / cell);
@@ -209,7 +209,8 @@ std::vector<float> light_of_skin(const CrowdedSpace& occupied, const Solids& sol
   return light;
 }
 
-/// The same of each node of its branches.
+/// The share of the light from above, 0..1, that others let through to each node of the branches; empty where
+/// nearly all of it is left everywhere.
 std::vector<float> light_of_branches(const CrowdedSpace& occupied, const Skeleton& bones, std::size_t own) {
   std::vector<float> light;
   for (const Vec3& at : bones.position) light.push_back(occupied.light(at, Vec3(0), own));

@@ -206,7 +206,8 @@ class SceneBuilder {
     std::string for_others;  // the same but for how they look, on which nothing depends that grows among them
   };
 
-  /// Of the land, what stands by itself takes the height of its foot alone.
+  /// Keys of all that these beds grow from at a stage. The land as a whole is part of them only for creepers
+  /// and colonies; other organisms depend on the height of their own foot alone.
   BedKeys keys_of_beds(const std::vector<Bed>& beds, GrowthStage stage,
                        const Territories& territories) const {
     std::string text = surroundings_, looks;

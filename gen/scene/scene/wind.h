@@ -4,9 +4,10 @@
 
 namespace frond {
 
-/// Whether what moves so, sways in the wind of a stage: trees that have no wave of their own.
+/// Whether an organism with that motion sways in the wind of a stage: trees that have no wave of their own.
 bool in_wind(const Motion& motion, const Stage& stage);
-/// The same of what is sown: herbs as well.
+/// Whether an organism that is sown sways in the wind of a stage: trees and herbs that have no wave of their
+/// own.
 bool sown_in_wind(const Organism& organism, const Motion& motion, const Stage& stage);
 
 /// The wind of a scene, with storms or without; none where it is calm.

@@ -282,8 +282,8 @@ Animated<double> closed_over(const std::vector<Crowns>& crowns, const Camera& ca
   return Animated<double>(std::move(keys));
 }
 
-/// Of what is sown below the trees, each copy shows in the years in which it gets the shade that it likes: it
-/// comes up and dies back within kSpread years.
+/// The copies of a stand that is sown below the trees: each shows in the years in which it gets the shade
+/// that it likes, and comes up and dies back within kSpread years.
 Copies undergrowth(const SownStand& stand, const std::vector<Crowns>& crowns, const StandFilm& film) {
   const Copies& all = stand.copies;
   Vec2 likes = stand.organism.sown->where.shade;

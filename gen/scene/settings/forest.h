@@ -49,7 +49,7 @@ class ForestGround final : public Grounds {
   }
 
   const StreamCourse& stream() const { return terrain_->stream(); }
-  /// Of its water and of its bed.
+  /// The surfaces of the stream's water and of its bed.
   const Surface& water() const { return water_; }
   const Surface& bed() const { return bed_; }
 

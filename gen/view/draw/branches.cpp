@@ -35,7 +35,7 @@ ChunkOptions DrawnBranches::chunk_options() const {
   options.young_length = static_cast<float>(look().young_length());
   if (look().bark) options.color = model.color;
   if (look().ringed()) options.nodes = kRings;
-  // Of a swaying tree only what is thick has a bark that one could see slide.
+  // In a swaying tree only thick branches have a bark that one could see slide.
   if (traits.motion.limbs && !one_texture()) options.thin = static_cast<float>(kShown * look().bark_scale());
   return options;
 }

@@ -22,17 +22,19 @@ struct PlainLook {
   double opacity = 1;             ///< 0 invisible .. 1
   std::string_view picture = {};  ///< a PNG file in place of the colour; empty: none
 };
-/// Of part `part` of an organ, in one of its colours.
+/// The look of part `part` of an organ in one of its colours, of blades in a colour, and of a body.
 PlainLook plain_look(const Prototype& organ, std::size_t part, std::size_t color);
 PlainLook plain_look(const BladeLook& blades, std::size_t color);
 PlainLook plain_look(const Material& body);
 
-/// All of one organism. Refers to what it is made from and to its own pose, so it stays where it is.
+/// All that is drawn of one organism. Refers to what it is made from and to its own pose, so it stays where
+/// it is.
 struct DrawList {
-  /// Of a specimen, which must be developed() to that time; seconds. `solids` are drawn in place of its own.
+  /// What is drawn of a specimen, which must be developed() to that time; seconds. `solids` are drawn in
+  /// place of its own.
   DrawList(const Specimen& specimen, double time) : DrawList(specimen, time, specimen.model.solids) {}
   DrawList(const Specimen& specimen, double time, const Solids& solids);
-  /// Of a model at rest, fully grown.
+  /// What is drawn of a model at rest, fully grown.
   DrawList(const Traits& own, const Model& at_rest);
   DrawList(const DrawList&) = delete;
   DrawList& operator=(const DrawList&) = delete;

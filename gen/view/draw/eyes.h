@@ -16,11 +16,11 @@ inline Eye eye_at(const Scene& scene, double time) { return eye_at(scene.film, s
 /// a still.
 Vec2 sample_shift(const Film& film, int frame);
 
-/// At all frames of the film.
+/// What the camera sees at each frame of the film.
 std::vector<Eye> eyes(const Film& film, const Camera& camera);
 inline std::vector<Eye> eyes(const Scene& scene) { return eyes(scene.film, scene.stage.camera); }
 
-/// The same without those that are like the one before.
+/// What the camera sees at the frames of the film, without those that are like the one before.
 std::vector<Eye> different_eyes(const Scene& scene);
 
 /// Metres that a pixel is, where the eyes come nearest to what lies round a place, up to `reach` away. What

@@ -11,9 +11,9 @@ namespace frond {
 /// organism's own middle. None where it names none, has no aperture, or there is nothing of it yet.
 std::optional<Vec3> named_focus(const Scene& scene, double time);
 
-/// The same where it names none: the point it is given, or else that it looks at.
+/// Where a camera focuses that names no organism: on the point it is given, or else on the point it looks at.
 Vec3 focus_of(const Camera& camera, double time);
-/// Width of the opening of its lens, metres; 0 without one.
+/// Width of the opening of the camera's lens, metres; 0 without an aperture.
 double lens_width(const Camera& camera, double time);
 
 }  // namespace frond

@@ -93,7 +93,7 @@ bool Views::shades(const std::vector<Eye>& eyes, Vec3 from, float radius) const 
   });
 }
 
-/// Of each block of a copy.
+/// The level of detail of each block of a copy; kLevelCount for a block that is not drawn.
 std::vector<int> Views::levels_of(const std::vector<Eye>& eyes, const ModelBlocks& blocks, Vec3 foot,
                                   Quat turn, float scale) const {
   Bounds box;
@@ -128,11 +128,11 @@ std::vector<int> Views::levels_of(const std::vector<Eye>& eyes, const ModelBlock
   return level;
 }
 
-/// Of the copies whose levels change after a stretch, what is drawn until then.
+/// The blocks of copies whose levels may change after the stretch `last`, as they are drawn until then.
 std::vector<Drawn> Views::drawn(std::size_t last, const SownStand& stand, int model,
                                 const ModelBlocks& blocks) const {
   const Copies& copies = stand.copies;
-  // Of what falls, the finest of how it stands, is half way down and lies.
+  // For a copy that falls, the finest of its levels as it stands, is half way down and lies.
   auto levels_at = [&](std::size_t i) {
     if (copies.span.empty())
       return levels_of(eyes_[last], blocks, copies.foot[i], copies.turn[i], copies.scale[i]);

@@ -59,7 +59,7 @@ struct CopyPlan {
   const ModelFile& file(std::size_t stand, int model, const Drawn& one) const;
 };
 
-/// The same of one model.
+/// What is drawn of the copies of one model in each stretch, and the files that are needed for that.
 struct ModelPlan {
   std::vector<std::vector<Drawn>> drawn;  ///< of each stretch
   std::vector<ModelFile> files;

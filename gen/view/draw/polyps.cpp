@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kApart = 0.85;              // of their width: how near polyps stand to each other
 constexpr float kSeen = 1.2f, kGone = 0.6f;  // pixels that one is wide
-/// Of the lots that turn and size polyps: those of one number are alike on all corals.
+/// The seed of the lots that turn and size polyps: polyps of one number are alike on all corals.
 constexpr Seed kPolypLots{77};
 constexpr double kYoung = 0.06;  // of the growth, after which a place bears its polyp
 

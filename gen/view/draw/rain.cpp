@@ -29,7 +29,7 @@ struct Column {
   double time, open, film_length;
   const CoverGrid* overhead;  ///< bodies that keep drops off; null: none
 
-  /// Its drops that show; `at`: its corner, x and z.
+  /// The drops of the column that show; `at`: corner of the column, x and z.
   void drops(Vec2 at, const Seed& seed, std::vector<Streak>& into) const {
     double aside = 0.8 + 0.5 * static_cast<double>(glm::length(mean));  // of the column and of the wind in it
     double near =
@@ -40,7 +40,7 @@ struct Column {
       Seed own = seed.child(static_cast<std::uint64_t>(i));
       double diameter = drop_diameter(most, kLeastDrop, (i + own.child(0).unit()) / count);
       if (drop_diameter(most, kLeastDrop, (i + 1) / count) < least) break;
-      // Of those of the hardest rain of the film so many fall now.
+      // The share of such drops of the film's hardest rain that fall now, less the lot of this drop.
       double falls = drop_density(rate, diameter) / drop_density(most, diameter) - own.child(4).unit();
       if (falls > 0) add(at, diameter, std::min(1.0, 10 * falls), own, into);
     }
@@ -48,7 +48,7 @@ struct Column {
 
   void add(Vec2 at, double diameter, double there, const Seed& own, std::vector<Streak>& into) const {
     double speed = terminal_speed(diameter);
-    // It comes through the column a whole number of times in a film that repeats.
+    // A drop comes through the column a whole number of times in a film that repeats.
     double high = film_length > 0 ? speed / looping_rate(speed / kColumn, film_length) : kColumn;
     double fallen = std::fmod(own.child(1).unit() * high + speed * time + eye.at.y + 1000 * high, high);
     Vec3 middle(at.x + own.child(2).unit(), eye.at.y + high / 2 - fallen, at.y + own.child(3).unit());

@@ -16,7 +16,7 @@ struct GrownSize {
   double stem = 0;  ///< thickness at 1.3 m, or at a tenth of the height where that is less; 0: it has none
 };
 
-/// Of the organisms of a scene as they are at a time, in the order of its preset; seconds.
+/// The sizes of the organisms of a scene at a time in seconds, in the order of its preset.
 Result<std::vector<GrownSize>> sizes_of(const Scene& scene, const Preset& preset, double time);
 
 /// `oak: 17.3 m high, 15.2 m wide, stem of 71 cm` for each of which there are some.

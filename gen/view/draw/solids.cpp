@@ -21,14 +21,14 @@ constexpr float kSmooth = 0.8f;        // cosine of how far a normal may be from
 constexpr double kUnseenPixels = 4;    // as coarse is what only throws a shadow
 constexpr std::size_t kLeastTriangles = 100;
 
-/// Of length 1; that of +y where the triangle has no size.
+/// The normal of a triangle, of length 1; +y where the triangle has no size.
 Vec3 facing_of(const std::vector<Vec3>& position, const Coarser& coarser,
                const std::array<std::uint32_t, 3>& triangle) {
   auto at = [&](std::size_t c) { return position[coarser.kept[triangle[c]]]; };
   return direction_or(glm::cross(at(1) - at(0), at(2) - at(0)), Vec3(0, 1, 0));
 }
 
-/// Of values at all vertices, or at none: those that are left.
+/// The values at the vertices that are kept, given those at all vertices, or at none.
 template <class T>
 std::vector<T> kept_of(const std::vector<T>& all, const Coarser& coarser) {
   std::vector<T> some;

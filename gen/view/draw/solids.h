@@ -28,10 +28,11 @@ struct Coarser {
   std::vector<std::uint32_t> flat;
   std::size_t vertices = 0;  ///< how many the surface has
 };
-/// Of a surface whose pixels are so many metres: none where all of it shows. `edged`: it may have rounded
-/// edges between flat faces.
+/// The triangles of a surface whose pixels are so many metres: none where all of it shows. `edged`: the
+/// surface may have rounded edges between flat faces.
 std::optional<Coarser> coarser(const Surface& whole, double pixel, Quality quality, bool edged = true);
-/// The same of a solid, of which POV-Ray must not have a shape of its own.
+/// The triangles of a solid whose pixels are so many metres: none where all of it shows, or POV-Ray has a
+/// shape of its own for it.
 std::optional<Coarser> coarser(const Solid& solid, double pixel, Quality quality);
 Surface drawn_coarser(const Surface& whole, const Coarser& coarser);
 Solid drawn_coarser(const Solid& solid, const Coarser& coarser);
@@ -41,7 +42,7 @@ struct DrawnBody {
   const Solid* solid = nullptr;
   std::size_t shape = 0;  ///< its number in the solids
   std::optional<Surface>
-      now;           ///< of what a film sees grow: how far it has come; else it is as the solid has it
+      now;           ///< the surface at that time, where a film sees it grow; empty: that of `solid`
   double front = 1;  ///< share of its growth that it has reached, 0..1
   std::vector<OrganPlace> places;
 
@@ -49,7 +50,7 @@ struct DrawnBody {
 };
 /// The bodies that are the same in the whole film, in the order of their shapes. Refers to the solids.
 std::vector<DrawnBody> still_bodies(const Solids& solids, const Growth& growth);
-/// Those that a film sees grow, if they have begun to.
+/// The bodies that a film sees grow, if they have begun to.
 std::vector<DrawnBody> growing_bodies(const Solids& solids, const Growth& growth, double time);
 
 /// The floor of a scene, of triangles as large as lets it show nowhere in the film.
@@ -59,11 +60,11 @@ Surface drawn_floor(const Scene& scene);
 /// comes nearest.
 struct DrawnSolids {
   std::vector<std::optional<Solids>> still;  ///< where those of the scene are finer than that
-  /// Of the shapes of those that have others at each time.
+  /// The triangles of each shape, for organisms whose shapes are others at each time.
   std::vector<std::vector<std::optional<Coarser>>> developed;
 
   const Solids& of(const Scene& scene, std::size_t organism) const;
-  /// Of one whose solids have become `now`.
+  /// The solids `now` of an organism that develops, as a film draws them.
   Solids of(std::size_t organism, const Solids& now) const;
 };
 DrawnSolids drawn_solids(const Scene& scene);

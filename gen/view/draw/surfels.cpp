@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kFine = 4;  // parts of a surfel's side, to see what lies before one another in it
 
-/// Of a surfel. Whole numbers: they do not depend on the order in which they are added.
+/// The sums of a surfel: whole numbers, which do not depend on the order in which they are added.
 struct Sum {
   std::array<std::int64_t, 8> of{};                      // area; area times place, colour, bulk
   std::array<std::int64_t, kFine * kFine * kFine> in{};  // area in each part

@@ -42,7 +42,8 @@ struct ChunkOptions {
 /// pattern along: turned as its middle node is, and stretched across the branch as the branch has thickened.
 std::vector<Chunk> cut_chunks(const Skeleton& rest, const Pose& pose, const ChunkOptions& options);
 
-/// The same of the nodes first..end - 1 alone, which must be whole chains. `longest` is that of the skeleton.
+/// Cuts the nodes first..end - 1 alone, which must be whole chains, into chunks. `longest` is
+/// Skeleton::longest().
 std::vector<Chunk> cut_chunks(const Skeleton& rest, const Pose& pose, const ChunkOptions& options,
                               float longest, std::int32_t first, std::int32_t end);
 

@@ -26,7 +26,7 @@ struct FramePasses {
   std::vector<std::vector<std::pair<Thing, float>>> things;  ///< what rays meet, each with its share
 };
 
-/// Of frame `number` of a film; the first is 1.
+/// The passes of frame `number` of a film, the first being 1; `side` * `side` rays are traced a pixel.
 Result<FramePasses> frame_passes(const Scene& scene, const TracedFilm& film, int number, int side = 4);
 
 /// What a thing is called: that of its preset's entry, of its organism, and of its part. "reef/3/organ 12"

@@ -20,14 +20,14 @@ namespace {
 
 const OrganPlace kHere{Vec3(0), Quat(1, 0, 0, 0), Vec3(1)};
 
-/// Whether it is the same at all times.
+/// Whether a specimen is the same at all times.
 bool stands_still(const Specimen& b) {
   const Motion& motion = b.motion;
   return !motion.sways() && motion.growth.duration <= 0 && !motion.food.pulls() &&
          motion.flutter.amplitude == 0 && !b.life.changes() && !b.life.hanging;
 }
 
-/// Of radius 1, as fine as a grain of a few pixels asks for.
+/// A ball of radius 1, as fine as a grain of a few pixels asks for.
 Surface ball() {
   constexpr std::uint32_t kRound = 12, kHigh = 6;
   Surface made;

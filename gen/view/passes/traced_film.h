@@ -53,8 +53,8 @@ struct SurfaceSpot {
   Thing thing;
   std::uint32_t part = 0;  ///< which of the meshes of an organ or a copy
   std::uint32_t face = 0;  ///< triangle of the mesh; of a branch, the node that its segment ends at
-  /// Of what keeps its shape: the place and normal in its own axes. Of a mesh that changes: shares the
-  /// triangle's second and third corner in x and y. Of a branch: the offset from its axis as shares of the
+  /// The place and normal. For what keeps its shape: in its own axes. For a mesh that changes: shares of the
+  /// triangle's second and third corner in x and y. For a branch: the offset from its axis as shares of the
   /// radius in the axes of the node.
   Vec3 own{0}, own_normal{0};
   float along = 0;  ///< of a branch: 0 at the lower node of the segment .. 1 at the upper one
@@ -108,8 +108,8 @@ class TracedFrame {
 
 class TracedFilm {
  public:
-  /// Of a scene, which must outlive it, with the plan of its copies, whose models are grown. An error where
-  /// something cannot be.
+  /// The traced film of a scene, which must outlive it, with the plan of its copies, whose models are grown.
+  /// An error where a model or a specimen cannot be made.
   static Result<TracedFilm> of(const Scene& scene, CopyPlan plan = {});
   ~TracedFilm();
   TracedFilm(TracedFilm&&) noexcept;

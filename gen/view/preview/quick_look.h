@@ -12,7 +12,7 @@ namespace frond {
 /// takes, for its models are not grown for this. Half a second for a tree of a hundred thousand leaves.
 Raster quick_look(const Scene& scene, double time);
 
-/// The same of another width and height in pixels.
+/// A quick look at a scene at a time, in seconds, of another width and height in pixels.
 Raster quick_look(const Scene& scene, double time, std::array<int, 2> size);
 
 }  // namespace frond

@@ -18,7 +18,7 @@ struct Resolver::Raw {
 
 namespace {
 
-/// Of what no ray meets: the direction stands in `own`.
+/// The spot of a ray that meets nothing: its direction stands in `own`.
 SurfaceSpot backdrop(Vec3 direction) {
   SurfaceSpot spot;
   spot.own = direction;

@@ -30,7 +30,7 @@ struct RawSample;
 using LightPicture = std::vector<Vec3>;
 
 struct ResolveOptions {
-  int window = 4;      ///< raw frames before and after one that it is made of
+  int window = 4;      ///< raw frames before and after a frame that it is made of
   int side = 5;        ///< side * side rays are traced through a pixel that shows more than one surface
   double reach = 0.4;  ///< pixels, standard deviation of the weight of a sample by how far aside it lies
   double fade = 4;     ///< frames after which a sample counts for 1/e
@@ -44,11 +44,11 @@ class Resolver {
   /// Gives the raw picture of a frame.
   using Source = std::function<Result<LightPicture>(int frame)>;
 
-  /// Of a film that is raw. All three must outlive it.
+  /// Resolves a film that is raw. The scene, the film and what `source` refers to must outlive the resolver.
   Resolver(const Scene& scene, const TracedFilm& film, Source source, const ResolveOptions& options = {});
   ~Resolver();
 
-  /// Those made in order share what they are made of.
+  /// The picture of a frame. Frames made in order share what they are made of.
   Result<LightPicture> frame(int number);
 
   /// Gives so many rows of the raw picture of a still, from one on.

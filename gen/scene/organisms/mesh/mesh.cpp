@@ -92,7 +92,7 @@ class MeshGrower final : public Described<MeshParams, BodyBuilder> {
   Result<Model> grow_alone(Seed) const override { return build_mesh_model(params); }
 
  private:
-  /// Of a list of names, those that the file does not have.
+  /// An error for the first of these names that the file does not have; empty where it has all of them.
   Errors name_faults(std::string_view pointer, const std::vector<std::string>& names) const {
     std::vector<std::string_view> known(params.body->names.begin(), params.body->names.end());
     for (std::size_t i = 0; i < names.size(); ++i) {

@@ -17,7 +17,7 @@ namespace frond {
 
 namespace {
 
-/// Of one organ: it is written once for each of its variants.
+/// Limits of the word of one organ, which is written once for each of its variants.
 constexpr Limits kMost{200'000, std::size_t{64} << 20};
 
 /// A leaflet as the turtle draws it.

@@ -16,7 +16,7 @@ class Clearance {
 
   /// Adds a ball; parts outside the box are ignored.
   void take(Vec3 middle, float radius);
-  /// The same for a cone between two balls, and for a mesh.
+  /// Adds a cone between two balls, or a mesh; parts outside the box are ignored.
   void take(Vec3 a, Vec3 b, float radius_a, float radius_b);
   void take(const Surface& surface);
   /// Adds everything below the ground.
@@ -26,7 +26,7 @@ class Clearance {
 
   /// Metres to the nearest object, at most about the size of the box; beyond the box as at its edge.
   float operator()(Vec3 at) const;
-  /// The direction away from it, not normalized; 0 if there is none.
+  /// The direction away from the nearest object, not normalized; 0 if there is none.
   Vec3 away(Vec3 at) const;
 
   Vec3 low() const { return low_; }

@@ -127,10 +127,10 @@ class Walls {
  private:
   double last() const { return 2 * kPi * params_.whorls; }
   int rows() const { return static_cast<int>(params_.detail / (2.0 * static_cast<double>(edge_.at.size()))); }
-  /// Of the inside.
+  /// The number of rows of the inside.
   int rows_behind() const { return std::clamp(rows() / 3, 12, params_.coiled() ? 48 : 72); }
 
-  /// What stands across growth and on the ribs.
+  /// The height of costae, which stand across growth, and of scutes on the ribs.
   double relief(const ShellEdge::At& at, const Row& row) const {
     double grown = params_.coiled() ? -row.turn / (2 * kPi) : std::exp(-params_.rate() * row.turn);
     double raise = 0;
