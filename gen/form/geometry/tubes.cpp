@@ -11,9 +11,7 @@ namespace frond {
 
 namespace {
 
-Vec3 any_normal(Vec3 axis) {
-  return glm::normalize(glm::cross(axis, reference_axis(axis)));
-}
+Vec3 any_normal(Vec3 axis) { return glm::normalize(glm::cross(axis, reference_axis(axis))); }
 
 /// The normal of the next ring, a step farther on: it turns about the branch no more than it must (double
 /// reflection; Wang et al. 2008). `along` and `next` are the directions of the branch at both rings.

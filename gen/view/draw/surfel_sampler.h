@@ -59,8 +59,7 @@ struct SurfelSampler {
         int along = static_cast<int>(std::clamp(std::ceil(length / step), 1.0f, 1e4f));
         int round = r > 0.7f * step ? static_cast<int>(std::min(std::ceil(6.2832f * r / step), 256.0f)) : 1;
         Vec3 ahead = offset / length;
-        Vec3 side =
-            glm::normalize(glm::cross(ahead, reference_axis(ahead)));
+        Vec3 side = glm::normalize(glm::cross(ahead, reference_axis(ahead)));
         Vec3 other = glm::cross(ahead, side);
         float area = 6.2832f * r * length / static_cast<float>(along * round);
         for (int k = 0; k < along; ++k) {
