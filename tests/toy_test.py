@@ -32,7 +32,7 @@ namespace {
 
 class Toy final : public Described<ToyParams, BodyBuilder> {
  public:
-  Errors check() const override { return {}; }
+  Review review() const override { return {}; }
   Result<SizeEstimate> estimate_size(Seed) const override { return SizeEstimate{}; }
   Result<Model> grow_alone(Seed seed) const override {
     Model model;

@@ -42,8 +42,8 @@ TEST_F(Base, StandsWhereThePresetHasNothing) {
   EXPECT_EQ(preset->film.frames, 9);
   EXPECT_EQ(preset->film.fps, 6);
   ASSERT_EQ(preset->organisms.size(), 2u);
-  EXPECT_EQ(std::any_cast<CoralParams>(preset->organisms[0].grower->parameters()).steps, 3);
-  EXPECT_EQ(std::any_cast<CoralParams>(preset->organisms[1].grower->parameters()).steps, 2);
+  EXPECT_EQ(grower_of<Holding<CoralParams>>(preset->organisms[0]).params.steps, 3);
+  EXPECT_EQ(grower_of<Holding<CoralParams>>(preset->organisms[1]).params.steps, 2);
 }
 
 TEST_F(Base, MayHaveABaseOfItsOwn) {

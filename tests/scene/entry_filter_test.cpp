@@ -122,7 +122,7 @@ TEST(EntryFilter, ARoughOneIsNoFaultAndHasFewerTriangles) {
   for (const Organism& o : reef.organisms) {
     std::shared_ptr<const Grower> coarse = o.grower->coarse(0.2);
     ASSERT_NE(coarse, nullptr) << o.name;
-    EXPECT_TRUE(coarse->check().empty());
+    EXPECT_TRUE(coarse->review().faults.empty());
     EXPECT_LT(coarse->estimate_size(Seed{1})->triangles, o.grower->estimate_size(Seed{1})->triangles)
         << o.name;
     std::optional<Spread> was = o.grower->spread(), now = coarse->spread();

@@ -21,10 +21,9 @@ std::vector<PlantParams> plants_of(const std::string& name) {
   Result<Preset> preset = read_preset(*read_file(path), path, {});
   EXPECT_TRUE(preset.ok()) << (preset ? "" : preset.errors()[0].text());
   std::vector<PlantParams> plants;
-  for (const Organism& organism : preset->organisms) {
-    std::any parameters = organism.grower->parameters();
-    if (const auto* plant = std::any_cast<PlantParams>(&parameters)) plants.push_back(*plant);
-  }
+  for (const Organism& organism : preset->organisms)
+    if (const auto* plant = dynamic_cast<const Holding<PlantParams>*>(organism.grower.get()))
+      plants.push_back(plant->params);
   return plants;
 }
 

@@ -25,7 +25,7 @@ Preset preset_of(const std::string& text, const std::vector<std::string>& sets =
 Preset preset_at(const std::string& path) { return preset_of(*read_file(FROND_ROOT "/" + path)); }
 
 CoralParams coral(const Preset& preset, std::size_t i) {
-  return std::any_cast<CoralParams>(preset.organisms.at(i).grower->parameters());
+  return grower_of<Holding<CoralParams>>(preset.organisms.at(i)).params;
 }
 
 TEST(Preset, LocalOrGlobal) {

@@ -129,7 +129,7 @@ TreeParams tree_of(const std::string& name) {
   std::string path = "presets/trees/" + name + ".json";
   Result<Preset> preset = read_preset(*read_file(FROND_ROOT "/" + path), path, {});
   EXPECT_TRUE(preset.ok()) << (preset ? "" : preset.errors()[0].text());
-  return std::any_cast<TreeParams>(preset->organisms.at(0).grower->parameters());
+  return grower_of<Holding<TreeParams>>(preset->organisms.at(0)).params;
 }
 
 /// What a species would cost to grow if it grew on and on as when it is young.
@@ -169,9 +169,8 @@ TEST(TreePresets, LeavesAreGreenInSummer) {
     const Grower& grower = *preset->organisms.at(0).grower;
     std::vector<Color> colors;
     if (const Dress dress = grower.dress(); dress.look.leaves) colors = dress.look.leaves->colors;
-    std::any parameters = grower.parameters();
-    if (const auto* tree = std::any_cast<TreeParams>(&parameters); tree && colors.empty())
-      colors = tree->leaves.colors;
+    if (const auto* tree = dynamic_cast<const Holding<TreeParams>*>(&grower); tree && colors.empty())
+      colors = tree->params.leaves.colors;
     ASSERT_FALSE(colors.empty()) << name;
     for (const Color& c : colors) EXPECT_GT(c.green, c.red) << name;
     seen += grower.dress().season.has_value();

@@ -18,7 +18,7 @@ Measured conifer(const std::string& name, int years) {
   std::string path = "presets/trees/" + name + ".json";
   Result<Preset> preset = read_preset(*read_file(FROND_ROOT "/" + path), path, {});
   EXPECT_TRUE(preset.ok());
-  auto params = std::any_cast<TreeParams>(preset->organisms.at(0).grower->parameters());
+  TreeParams params = grower_of<Holding<TreeParams>>(preset->organisms.at(0)).params;
   params.years = years;
   TreeSite site{&params, Vec3(0), Quat(1, 0, 0, 0), 1, Seed{3}};
   Grove grove = grow_trees({&site, 1}, false, Seed{3});

@@ -86,7 +86,7 @@ void add_lists(Json& header, const Scene& scene, const Preset& preset) {
       // Plantings come in their order, those at given places first.
       std::size_t number = count[s.entry]++;
       const Organism& organism = preset.organisms[s.entry];
-      if (number < organism.place.at.size() && !organism.grower->creeps()) one["placed"] = number;
+      if (number < organism.place.at.size() && !organism.grower->traits().creeps()) one["placed"] = number;
       if (!boxes[i].empty()) of_entry[s.entry].take(boxes[i].low), of_entry[s.entry].take(boxes[i].high);
     }
     specimens.push_back(std::move(one));

@@ -40,7 +40,7 @@ bool moves(const SownStand& stand, const Film& film) {
 /// Whether each copy carries its pattern with it, as the skin of colonies must; else what is drawn on copies
 /// lies in the world, or on their `uv`, which costs less.
 bool carries_pattern(const SownStand& stand, const Film& film) {
-  return moves(stand, film) && stand.organism.grower->is_colony();
+  return moves(stand, film) && stand.organism.grower->traits().colony;
 }
 
 /// Gives the prototypes of leaves the colours that these have now, as many of each as there are leaves of it:

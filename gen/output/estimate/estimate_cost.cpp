@@ -105,7 +105,7 @@ double model_bytes(const Preset& preset, const Organism& organism, const SizeEst
       coarseness(preset.film.quality) * 2 * std::tan(radians(camera.angle.at(0)) / 2) / preset.film.size[0];
   // The next copy of one model is about so far away where the camera is among them.
   double apart = 0.5 * reach * std::sqrt(kPi * organism.sown->models / std::max(1.0, count));
-  double next = std::max(away - reach, apart) - kCrown * organism.grower->tallest();
+  double next = std::max(away - reach, apart) - kCrown * organism.grower->traits().tallest;
   int first = level_for(pixel * std::max(next, 0.3)), last = level_for(pixel * (away + reach));
   double bytes = 0;
   for (int level = first; level <= last; ++level) {
@@ -164,7 +164,7 @@ double drawn_triangles(const Preset& preset, const Organism& organism, const Siz
 bool moves_far(const Preset& preset, const Organism& organism, const Motion& motion) {
   constexpr double kSway = 0.6, kBend = 0.5, kLonger = 0.3;  // of the height, for an angle of 1, a share of 1
   Spread spread = organism.grower->spread().value_or(Spread{});
-  double tall = std::max<double>(organism.grower->tallest(), spread.up),
+  double tall = std::max<double>(organism.grower->traits().tallest, spread.up),
          moved = kSway * motion.wave.amplitude;
   if (!motion.food.position.constant() || motion.food.eaten)
     moved += kBend * motion.food.strength + kLonger * motion.food.stretch;
@@ -195,8 +195,8 @@ double trees_of_stand(const Preset& preset, const Organism& organism) {
 double left_in_shade(const Preset& preset) {
   double crowns = 0, reach = 0;
   for (const Organism& o : preset.organisms) {
-    if (o.sown || !o.grower->shares_light()) continue;
-    double crown = kCrown * o.grower->tallest();
+    if (o.sown || !o.grower->traits().shares_light()) continue;
+    double crown = kCrown * o.grower->traits().tallest;
     crowns += number_of(o) * crown * crown;
     reach = std::max(reach, reach_of(o) + crown);
   }
@@ -269,9 +269,9 @@ void Sums::add_sown(const Preset& preset, std::size_t o, const SizeEstimate& siz
 void Sums::add_standing(const Preset& preset, std::size_t o, const SizeEstimate& size, const Dress& dress,
                         double made, double held, double grows, Seed seed) {
   const Organism& organism = preset.organisms[o];
-  const Grower& grower = *organism.grower;
+  const GrowerTraits traits = organism.grower->traits();
   double count = number_of(organism);
-  bool together = finds_own_place(grower.stage());
+  bool together = traits.finds_own_place();
   WoodCostEstimate wood = estimate_wood_cost(organism, size, dress, seed);
   double own = wood.bytes + kPlacement * size.parts + kCorner * size.corners;
   double solid = kTriangle * drawn_triangles(preset, organism, size) + kPlacement * size.blocks;
@@ -280,7 +280,7 @@ void Sums::add_standing(const Preset& preset, std::size_t o, const SizeEstimate&
   f.nodes += count * size.nodes;
   f.organs += count * size.organs;
   f.scene_memory += count * held + kHeldTriangle * size.shapes;
-  f.frame_memory += count * (grower.develops(preset.film.frames > 1) ? held : 0) + kPosedNode * size.nodes +
+  f.frame_memory += count * (traits.develops(preset.film.frames > 1) ? held : 0) + kPosedNode * size.nodes +
                     kPosedOrgan * size.organs + (wood.bytes > kMovingNode * size.nodes ? own : 0);
   // A block is one of about so many shapes.
   constexpr double kBlockShapes = 13;
@@ -316,7 +316,7 @@ Result<Sums> sums_of(const Preset& preset, FilmPart part) {
     Result<SizeEstimate> sized = grower.estimate_size(seeds[o]);
     if (!sized) return sized.errors();
     SizeEstimate& size = *sized;
-    if (!organism.sown && grower.shares_light())
+    if (!organism.sown && grower.traits().shares_light())
       size.nodes *= shaded, size.organs *= shaded, size.parts *= shaded, size.seconds *= shaded;
     Dress dress = grower.dress();
     double held = kHeldNode * size.nodes + kHeldOrgan * size.organs + kCorner * size.corners +
@@ -325,7 +325,7 @@ Result<Sums> sums_of(const Preset& preset, FilmPart part) {
                    3 * kHeldTriangle * size.triangles + size.held / 2;
     double made = size.nodes / size.nodes_a_second + size.organs / kOrgansGrown +
                   size.triangles / kTrianglesMade + size.word.work / kModulesDerived + size.seconds;
-    bool develops = grower.develops(preset.film.frames > 1);
+    bool develops = grower.traits().develops(preset.film.frames > 1);
     sums.changing = sums.changing || dress.motion.growth.duration > 0 || develops ||
                     moves_far(preset, organism, dress.motion);
     sums.add_pictures(dress.look);

@@ -51,8 +51,9 @@ double tallest_of(const Preset& preset) {
   double seen = std::min(kTallest, to.y + glm::distance(at, to) * half), tall = 0;
   for (const Organism& organism : preset.organisms) {
     if (organism.count == 0 && !organism.sown) continue;
-    double own = organism.grower->tallest() * (1 + organism.place.size_variation) + organism.place.raise;
-    tall = std::max(tall, organism.grower->tallest() > 0 ? own : seen);
+    double most = organism.grower->traits().tallest;
+    double own = most * (1 + organism.place.size_variation) + organism.place.raise;
+    tall = std::max(tall, most > 0 ? own : seen);
   }
   return tall;
 }

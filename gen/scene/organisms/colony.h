@@ -52,15 +52,17 @@ class ColonyGrower : public LoneGrower {
   /// Grows one, upright, its foot at the origin.
   virtual Result<Model> grow_at(const Surroundings& around, Seed seed) const = 0;
 
-  GrowthStage stage() const final { return GrowthStage::in_space; }
-  bool is_colony() const final { return true; }
   Result<Model> grow_alone(Seed seed) const final { return grow_at(Surroundings(), seed); }
-  std::function<Result<Model>(double)> develop(const Motion&, Seed) const override { return {}; }
-  bool develops(bool) const override { return false; }
-  std::optional<Result<Grammar>> grammar() const override { return std::nullopt; }
   Result<Model> grow_standing(const World& world, const Planting& planting, const Placement& placement,
                               Seed seed) const final {
     return grow_at(Surroundings(world, planting.claim, placement), seed);
+  }
+
+ protected:
+  /// The traits of a colony, with those that are the kind's own.
+  static GrowerTraits colony(GrowerTraits own) {
+    own.stage = GrowthStage::in_space, own.colony = true;
+    return own;
   }
 };
 
@@ -68,13 +70,12 @@ class ColonyGrower : public LoneGrower {
 template <class Params>
 class BodyColony : public Described<Params, ColonyGrower> {
  public:
-  double tallest() const override { return this->params.height; }
+  GrowerTraits traits() const override { return this->colony({.tallest = this->params.height}); }
   Dress dress() const override {
     Dress dress;
     dress.motion.growth = this->params.growth;
     return dress;
   }
-  bool branches() const override { return false; }
   std::optional<Spread> spread() const override {
     return Spread{static_cast<float>(this->params.across / 2), static_cast<float>(this->params.height)};
   }

@@ -12,12 +12,6 @@ namespace {
 
 constexpr float kNear = 0.1f;  // metres round a tree in which bodies count
 
-/// How deep something stands in the ground: as deep as it is thick, or as a small one bears.
-float depth_of(const Model& model) {
-  if (model.skeleton.size() == 0) return 0;
-  return std::min(model.skeleton.radius[0], 0.1f * model.skeleton.longest());
-}
-
 Quat yaw_of(const Organism& organism, const Planting& planting) {
   const Place& place = organism.place;
   double turn = planting.turn + place.turn + place.turn_variation * planting.seed.child("turn").range(-1, 1);
@@ -66,6 +60,13 @@ float size_of(const Organism& organism, const Planting& planting) {
                             (1 + organism.place.size_variation * planting.seed.child("size").range(-1, 1)));
 }
 
+float depth_of(const Grower& grower, const Model& model) {
+  if (model.skeleton.size() == 0) return 0;
+  const GrowerTraits traits = grower.traits();
+  float depth = traits.sunk * model.skeleton.radius[0];
+  return traits.sunk_most > 0 ? std::min(depth, traits.sunk_most * model.skeleton.longest()) : depth;
+}
+
 double reach_of(const Organism& organism) {
   const Place& place = organism.place;
   double reach = glm::length(place.center) + place.radius;
@@ -100,15 +101,15 @@ std::vector<Result<Specimen>> LoneGrower::grow(std::span<const Bed> beds, const 
   }
   auto grow_one = [&](const Task& task) -> Result<Specimen> {
     const auto& [bed, planting, dress] = task;
-    const auto& grower = static_cast<const LoneGrower&>(*bed.organism->grower);
+    const auto& grower = grower_of<LoneGrower>(*bed.organism);
     const Organism& organism = *bed.organism;
     Seed seed = planting.seed.child("grow");
     Placement placement = placement_of(organism, planting);
     Result<Model> model = grower.grow_standing(world, planting, placement, seed);
     if (!model) return model.errors();
     if (model->solids.follow_ground) placement.turn = yaw_of(organism, planting);
-    if (organism.place.raise <= 0) placement.foot.y -= grower.copy_depth(*model) * placement.size;
-    if (grower.stage() == GrowthStage::round_bodies) {
+    if (organism.place.raise <= 0) placement.foot.y -= depth_of(grower, *model) * placement.size;
+    if (grower.traits().stage == GrowthStage::round_bodies) {
       Result<Detour> detour = detour_near(*model, world, placement);
       if (!detour) return detour.errors();
       if (*detour) model = grower.grow_round(*detour, seed);
@@ -136,8 +137,14 @@ std::vector<Result<Specimen>> LoneGrower::grow(std::span<const Bed> beds, const 
   return grown;
 }
 
-Result<Model> LoneGrower::grow_copy(const Organism&, Seed seed) const { return grow_alone(seed); }
-
-float LoneGrower::copy_depth(const Model& model) const { return depth_of(model); }
+std::vector<Result<Specimen>> BedGrower::grow(std::span<const Bed> beds, const World& world,
+                                              const Step& step) const {
+  std::vector<Result<Specimen>> grown(beds.size(), Error{});
+  parallel_for(beds.size(), [&](std::size_t i) {
+    grown[i] = grower_of<BedGrower>(*beds[i].organism).grow_bed(beds[i], world);
+    step();
+  });
+  return grown;
+}
 
 }  // namespace frond

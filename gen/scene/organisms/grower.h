@@ -1,6 +1,5 @@
 #pragma once
 
-#include <any>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -21,11 +20,13 @@
 // Kinds of organisms
 // ==================
 // A kind is a folder below gen/scene/organisms and a row in organisms/kinds.h. In the folder its parameters
-// are described (preset/describe.h) and a Grower implements everything that other modules need; a missing
-// function does not compile. No code outside the folder knows the parameters.
+// are described (preset/describe.h) and a Grower answers everything that other modules ask. What all kinds
+// must answer does not compile where it is missing; what only some have, they override. No code outside the
+// folder knows the parameters.
 //
 //     class Toy final : public Described<ToyParams, LoneGrower> {
 //      public:
+//       GrowerTraits traits() const override { return {.branches = true, .tallest = params.size}; }
 //       Result<Model> grow_alone(Seed seed) const override;
 //       ...
 //     };
@@ -44,9 +45,6 @@ enum class GrowthStage {
   creeping,      ///< organisms that find their own place on bodies
   swimming       ///< animals that move among everything else
 };
-
-/// Whether organisms of a stage find their own places: all of an entry then grow as one.
-inline bool finds_own_place(GrowthStage stage) { return stage >= GrowthStage::creeping; }
 
 /// A straight line on the ground along which something is built, from end to end.
 struct PlaceLine {
@@ -104,87 +102,101 @@ inline constexpr double kTreeNodesASecond = 5e4;
 /// Called after each grown organism, from several threads.
 using Step = std::function<void()>;
 
+/// For which pictures a shape is built anew, rather than revealed as it has grown once.
+enum class Rebuilt { never, in_films, always };
+
+/// What is known of a grower by its parameters at once.
+struct GrowerTraits {
+  GrowthStage stage = GrowthStage::free;
+  bool stands_on_rock = true;  ///< whether a rock may be placed under it; not for what is of stone
+  bool colony = false;         ///< whether it is a coral or a sponge
+  bool branches = false;       ///< whether it has any; an organism's `body` says how to draw them
+  Rebuilt rebuilt = Rebuilt::never;
+  double tallest = 0;      ///< metres, an upper estimate of the height of one; 0: unknown
+  float sunk = 1;          ///< how deep one stands in the ground, in radii of its foot,
+  float sunk_most = 0.1f;  ///< and as a share of its length at most; 0: however long it is
+  /// The names of the organisms that it creeps over, kept by the grower; nullptr if it does not creep.
+  const std::vector<std::string>* hosts = nullptr;
+  /// What is wrong with all of its kind in a scene whose land rises by `relief` metres, taken together;
+  /// pointers are below the first of them. nullptr: nothing can be.
+  Errors (*faults_together)(std::span<const Organism* const> all, double relief) = nullptr;
+
+  bool creeps() const { return hosts != nullptr; }
+  bool swims() const { return stage == GrowthStage::swimming; }
+  /// Whether it may stand on bodies, as `place.on` says: what competes for space may.
+  bool stands_on_bodies() const { return stage == GrowthStage::in_space; }
+  /// Whether all of its kind grow in one light.
+  bool shares_light() const { return stage == GrowthStage::in_light; }
+  /// Whether it finds its own place: all of an entry then grow as one.
+  bool finds_own_place() const { return stage >= GrowthStage::creeping; }
+  /// Whether its shape is rebuilt for each picture, of a film or of a still.
+  bool develops(bool filmed) const { return rebuilt >= (filmed ? Rebuilt::in_films : Rebuilt::always); }
+};
+
+/// What shows only after reading everything; each `where` is a JSON pointer below the organism.
+struct Review {
+  Errors faults = {};
+  Errors doubts = {};  ///< valid, but probably not intended; they count only where there are no faults
+};
+
 /// A storm in a film.
 struct StormTime {
   double time = 0, lasts = 1;  ///< seconds: its height, and from there to where it is a third as strong
   double gust = 0;             ///< metres a second, the strongest
 };
 
+class Perennial;
+
 /// The parameters of an organism and the functions of its kind. Pure functions.
 class Grower {
  public:
   virtual ~Grower() = default;
 
-  /// The parameters, for callers that know their type: the kind, and tests.
-  virtual std::any parameters() const = 0;
   /// What stands for the kind with these parameters, in names and caches.
   virtual Keys keys() const = 0;
-
-  virtual GrowthStage stage() const = 0;
-  /// Whether a rock may be placed under it; not for organisms of stone.
-  virtual bool stands_on_rock() const = 0;
-  /// Errors that show only after reading everything; each `where` is a JSON pointer below the organism.
-  virtual Errors check() const = 0;
-  /// Warnings: valid, but probably not intended.
-  virtual Errors doubts() const = 0;
-  /// The same as check() for all of this kind in a scene whose land rises by `relief` metres; pointers are
-  /// below the first of them, which is this grower's.
-  virtual Errors check_together(std::span<const Organism* const> all, double relief) const = 0;
+  virtual GrowerTraits traits() const = 0;
+  /// What is wrong or doubtful about one by itself; of all together see GrowerTraits::faults_together.
+  virtual Review review() const = 0;
   /// Predicted size; a derivation beyond its limits is an error with the figure and the step.
   virtual Result<SizeEstimate> estimate_size(Seed seed) const = 0;
-  /// Whether it lives through years, so that it can be cut in one of them and grows on, see Edit::cut.
-  virtual bool lives_years() const { return false; }
-  /// Upper estimate of the height of one, metres; 0: unknown.
-  virtual double tallest() const = 0;
+  /// What it wears and how it moves.
   virtual Dress dress() const = 0;
-  /// Whether it has branches; an organism's `body` says how to draw them.
-  virtual bool branches() const = 0;
-  /// Whether its shape is rebuilt for each frame of a film.
-  virtual bool develops(bool filmed) const = 0;
-  /// Its grammar, ready to derive, if it has one.
-  virtual std::optional<Result<Grammar>> grammar() const = 0;
-  /// The names of the organisms that it grows on; nullptr if it does not grow on others.
-  virtual const std::vector<std::string>* hosts() const = 0;
-  /// Whether it is a colony: a coral or a sponge.
-  virtual bool is_colony() const { return false; }
-  /// Whether it creeps over other organisms.
-  bool creeps() const { return hosts() != nullptr; }
-  /// Whether it may stand on bodies, as `place.on` says: what competes for space may.
-  bool stands_on_bodies() const { return stage() == GrowthStage::in_space; }
-  /// Whether all of its kind grow in one light.
-  bool shares_light() const { return stage() == GrowthStage::in_light; }
-  bool swims() const { return stage() == GrowthStage::swimming; }
-  /// Its claim in the space that colonies compete for; none: it does not compete.
-  virtual std::optional<Spread> spread() const = 0;
-
-  /// When and how strongly the storm of an event blows in a film; none where its years are not filmed.
-  virtual std::optional<StormTime> storm_of(const Event&) const { return std::nullopt; }
-
-  /// A coarser version that grows in about `share`, 0..1, of the time, for previews while it is edited; none
-  /// if not needed.
-  virtual std::shared_ptr<const Grower> coarse(double /*share*/) const { return nullptr; }
-
-  /// A version of that length in metres, of what is built along lines; none of all else.
-  virtual std::shared_ptr<const Grower> as_long_as(double /*length*/) const { return nullptr; }
-
-  /// A version of that age in years, which died before the last `dead` of them and has no limbs on the first
-  /// `clear` metres of its stem, of what grows over years; none of all else.
-  virtual std::shared_ptr<const Grower> at_age(double /*years*/, double /*dead*/, double /*clear*/) const {
-    return nullptr;
-  }
-
-  /// Metres, how tall one of its copies is at the end of each of its years; none of what does not
-  /// grow over years.
-  virtual std::vector<float> heights(const Organism& /*organism*/, Seed) const { return {}; }
-
   /// Grows all plantings of all beds, in their order. All beds are of this kind, the first belongs to this
   /// grower.
   virtual std::vector<Result<Specimen>> grow(std::span<const Bed> beds, const World& world,
                                              const Step& step) const = 0;
-  /// Grows one model for copies, upright, its foot at the origin, with an age and size of its own.
+  /// Grows one model for copies, upright, its foot at the origin, with an age and size of its own; an error
+  /// where none of the kind can be sown.
   virtual Result<Model> grow_copy(const Organism& organism, Seed seed) const = 0;
-  /// How deep such a copy stands in the ground, metres.
-  virtual float copy_depth(const Model& model) const = 0;
+
+  // What only some have:
+
+  /// Its grammar, ready to derive.
+  virtual std::optional<Result<Grammar>> grammar() const { return std::nullopt; }
+  /// Its claim in the space that colonies compete for; none: it does not compete.
+  virtual std::optional<Spread> spread() const { return std::nullopt; }
+  /// What it can tell of its years, if it lives through years; nullptr otherwise.
+  virtual const Perennial* perennial() const { return nullptr; }
+  /// A coarser version that grows in about `share`, 0..1, of the time, for previews while it is edited; none
+  /// if not needed.
+  virtual std::shared_ptr<const Grower> coarse(double /*share*/) const { return nullptr; }
+  /// A version of that length in metres, of what is built along lines; none of all else.
+  virtual std::shared_ptr<const Grower> as_long_as(double /*length*/) const { return nullptr; }
+};
+
+/// What lives through years, so that it can be cut in one of them and grows on, see Edit::cut.
+class Perennial {
+ public:
+  /// When and how strongly the storm of an event blows in a film; none where its years are not filmed.
+  virtual std::optional<StormTime> storm_of(const Event& event) const = 0;
+  /// A version of that age in years, which died before the last `dead` of them and has no limbs on the first
+  /// `clear` metres of its stem; none if there is no such version.
+  virtual std::shared_ptr<const Grower> at_age(double years, double dead, double clear) const = 0;
+  /// Metres, how tall one of its copies is at the end of each of its years.
+  virtual std::vector<float> heights(const Organism& organism, Seed seed) const = 0;
+
+ protected:
+  ~Perennial() = default;
 };
 
 /// An organism that does not depend on what grows beside it.
@@ -199,35 +211,40 @@ class LoneGrower : public Grower {
   /// The same round what stands in the way, upright, its foot at the origin; for the stage round_bodies.
   virtual Result<Model> grow_round(const Detour&, Seed seed) const { return grow_alone(seed); }
   /// The shape at a time of a film, fully revealed, see Life; empty: growth is only revealed.
-  virtual std::function<Result<Model>(double)> develop(const Motion& motion, Seed seed) const = 0;
+  virtual std::function<Result<Model>(double)> develop(const Motion& /*motion*/, Seed) const { return {}; }
 
-  GrowthStage stage() const override { return GrowthStage::free; }
-  bool stands_on_rock() const override { return true; }
-  Errors doubts() const override { return {}; }
-  Errors check_together(std::span<const Organism* const>, double) const override { return {}; }
-  const std::vector<std::string>* hosts() const override { return nullptr; }
-  std::optional<Spread> spread() const override { return std::nullopt; }
   std::vector<Result<Specimen>> grow(std::span<const Bed> beds, const World& world,
                                      const Step& step) const override;
-  Result<Model> grow_copy(const Organism& organism, Seed seed) const override;
-  float copy_depth(const Model& model) const override;
+  Result<Model> grow_copy(const Organism&, Seed seed) const override { return grow_alone(seed); }
+};
+
+/// An organism that finds its own place; all of an entry grow as one.
+class BedGrower : public Grower {
+ public:
+  virtual Result<Specimen> grow_bed(const Bed& bed, const World& world) const = 0;
+  std::vector<Result<Specimen>> grow(std::span<const Bed> beds, const World& world,
+                                     const Step& step) const final;
+};
+
+/// The parameters of a kind; those that know their type find them by grower_of<Holding<Params>>().
+template <class Params>
+struct Holding {
+  Params params;
 };
 
 /// A kind with the described parameters `Params`; functions that it does not define come from `Base`.
 template <class Params, class Base>
-class Described : public Base {
+class Described : public Base, public Holding<Params> {
  public:
-  Params params;
-  std::any parameters() const final { return params; }
-  Keys keys() const final { return keys_of(std::string(typeid(Params).name()), params); }
+  Keys keys() const final { return keys_of(std::string(typeid(Params).name()), this->params); }
 };
 
-/// A copy of a grower with changed parameters, for Grower::coarse(); none if these are invalid.
+/// A copy of a grower with changed parameters; none if these are invalid.
 template <class Mine, class Change>
 std::shared_ptr<const Grower> changed(const Mine& grower, Change change) {
   auto other = std::make_shared<Mine>(grower);
   change(other->params);
-  return other->check().empty() ? other : nullptr;
+  return other->review().faults.empty() ? other : nullptr;
 }
 
 /// The same with triangle edges longer so that about `share` of the triangles are left, at least 1/16.
@@ -256,12 +273,8 @@ std::shared_ptr<const Grower> fewer_steps(const Mine& grower, double share, int&
 /// Built objects: they have no branches, no motion, and no look except their materials.
 class BodyBuilder : public LoneGrower {
  public:
-  double tallest() const override { return 0; }
+  GrowerTraits traits() const override { return {}; }
   Dress dress() const override { return {}; }
-  bool branches() const override { return false; }
-  bool develops(bool) const override { return false; }
-  std::optional<Result<Grammar>> grammar() const override { return std::nullopt; }
-  std::function<Result<Model>(double)> develop(const Motion&, Seed) const override { return {}; }
 };
 
 /// The largest distance of one of them from the middle, metres.
@@ -269,6 +282,9 @@ double reach_of(const Organism& organism);
 
 /// Sets the appearance of a specimen at its place, including individual variation.
 void put_on(Specimen& specimen, const Dress& dress, const World& world, Seed seed);
+
+/// How deep a model of a grower stands in the ground, metres.
+float depth_of(const Grower& grower, const Model& model);
 
 /// The lean that `place` sets for a planting, and its size factor.
 Quat lean_of(const Organism& organism, Seed planting);

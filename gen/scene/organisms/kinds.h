@@ -52,10 +52,4 @@ std::vector<std::vector<Thing>> by_kind(const std::vector<Thing>& things, const 
   return lists;
 }
 
-/// The grower of an organism whose kind is known; std::bad_cast, our own mistake, where it is of another.
-template <class G>
-const G& grower_of(const Organism& organism) {
-  return dynamic_cast<const G&>(*organism.grower);
-}
-
 }  // namespace frond

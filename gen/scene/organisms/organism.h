@@ -54,4 +54,10 @@ struct Organism {
   std::shared_ptr<const Grower> grower;  ///< its kind with its parameters; never null after reading
 };
 
+/// The grower of an organism, whose class is known; std::bad_cast, our own mistake, where it is another.
+template <class G>
+const G& grower_of(const Organism& organism) {
+  return dynamic_cast<const G&>(*organism.grower);
+}
+
 }  // namespace frond

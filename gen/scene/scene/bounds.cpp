@@ -25,10 +25,11 @@ Errors too_much_together(const Preset& preset) {
   for (const Organism& o : preset.organisms)
     if (!o.sown && o.count > 0) growing.push_back(&o);
   for (const std::vector<const Organism*>& kind : by_kind(growing, [](const Organism* o) { return o; }))
-    for (Error& error : kind[0]->grower->check_together(kind, extent_of(preset).relief)) {
-      error.where.insert(0, fmt::format("/organisms/{}", kind[0] - preset.organisms.data()));
-      errors.push_back(std::move(error));
-    }
+    if (auto faults_of = kind[0]->grower->traits().faults_together)
+      for (Error& error : faults_of(kind, extent_of(preset).relief)) {
+        error.where.insert(0, fmt::format("/organisms/{}", kind[0] - preset.organisms.data()));
+        errors.push_back(std::move(error));
+      }
   return errors;
 }
 
@@ -57,7 +58,7 @@ Errors without_room(const Preset& preset) {
   Extent extent = extent_of(preset);
   for (std::size_t i = 0; i < preset.organisms.size(); ++i) {
     const Organism& o = preset.organisms[i];
-    if (finds_own_place(o.grower->stage())) continue;
+    if (o.grower->traits().finds_own_place()) continue;
     // Discs of their room that do not overlap, on all the ground that they may reach.
     double room = 0, ground = 0;
     if (o.sown) {

@@ -256,7 +256,7 @@ Result<Model> grow_copy(const Organism& organism, int which, bool full_leaf) {
   edit_model(*model, edits);
   if (dress.season && !full_leaf) in_season(*model, *dress.season, 0, seed.child("season"));
   if (organism.sown->size) fit_to(*model, *organism.sown->size);
-  float depth = organism.grower->copy_depth(*model);
+  float depth = depth_of(*organism.grower, *model);
   for (auto* places : {&model->skeleton.position, &model->organs.position, &model->blades.surface.position})
     for (Vec3& p : *places) p.y -= depth;
   return model;
@@ -264,7 +264,8 @@ Result<Model> grow_copy(const Organism& organism, int which, bool full_leaf) {
 
 std::optional<Growth> copy_growth(const Organism& organism, const Film& film, int which) {
   Growth growth = organism.grower->dress().motion.growth;
-  if (film.frames <= 1 || growth.duration <= 0 || organism.grower->develops(true)) return std::nullopt;
+  if (film.frames <= 1 || growth.duration <= 0 || organism.grower->traits().develops(true))
+    return std::nullopt;
   growth.start += growth.stagger * copy_seed(organism, which).child("start").unit();
   return growth;
 }

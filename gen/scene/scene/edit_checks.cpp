@@ -7,7 +7,7 @@ namespace frond {
 Errors edit_faults(const Organism& organism) {
   const Grower& grower = *organism.grower;
   if (organism.edits.empty()) return {};
-  if (!grower.branches() || grower.creeps())
+  if (const GrowerTraits traits = grower.traits(); !traits.branches || traits.creeps())
     return {{"/edits", "are of branches; expected a kind that has them and does not creep"}};
   Errors errors;
   for (std::size_t i = 0; i < organism.edits.size(); ++i) {
@@ -21,7 +21,7 @@ Errors edit_faults(const Organism& organism) {
       add("", fmt::format("has {} of cut, bend, strength, bare and bark; expected one of them", given));
     if (edit.bark && !grower.dress().look.branches.plant())
       add("/bark", "is of plants; expected an edit of a kind whose branches have bark");
-    if (edit.dated() && !grower.lives_years())
+    if (edit.dated() && !grower.perennial())
       add("/cut", "names a year; expected true, or the kind tree, which grows over years");
     if (edit.bend && edit.at.share == 0)
       add("/at", "is where the limb is held; expected a place farther along it to pull at, as \"3:0.8\"");

@@ -109,7 +109,7 @@ Error site_fault(const Preset& preset, std::size_t index) {
   if (in && !place.along.empty()) return {where, "stands beside \"along\"; expected one of the two"};
   if (!preset.plan)
     return {where, fmt::format("no plan that has \"{}\"; expected a \"plan\" in the preset", name)};
-  if (in && finds_own_place(preset.organisms[index].grower->stage()))
+  if (in && preset.organisms[index].grower->traits().finds_own_place())
     return {where, "this kind finds its own place; expected another kind"};
   std::vector<std::string_view> names;
   for (const RoomKind& kind : preset.plan->rooms) names.push_back(kind.name);

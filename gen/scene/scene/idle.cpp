@@ -104,7 +104,7 @@ class Finder {
       if (const Value* value = at(written, fmt::format("/place/{}", name)))
         note(*value, fmt::format("{}/place/{}", pointer, name), why);
     };
-    bool ivy = organism.grower->creeps();
+    bool ivy = organism.grower->traits().creeps();
     if (ivy || organism.sown)
       for (std::string_view name : kScatter)
         idle(name,
@@ -114,10 +114,10 @@ class Finder {
     if (!ivy && !organism.sown && organism.place.rock > 0 && !rocks_)
       idle("rock", "rocks lie under water only");
     for (std::string_view name : {"on", "upright"})
-      if (organism.sown || !organism.grower->stands_on_bodies())
+      if (organism.sown || !organism.grower->traits().stands_on_bodies())
         idle(name, "only corals and their like that are not sown stand on bodies");
     check_body(organism, written, pointer);
-    bool drawn = organism.grower->branches() && !organism.sown;
+    bool drawn = organism.grower->traits().branches && !organism.sown;
     find_unmet(written, [&](const Value& value, const std::string& at, std::string_view need) {
       if (!drawn && at.starts_with("/body/")) return;  // all of it does nothing
       note(value, pointer + at, fmt::format("it needs {}", need));
@@ -135,7 +135,7 @@ class Finder {
   void check_body(const Organism& organism, const Value& written, const std::string& pointer) {
     const Value* body = written.find("body");
     if (!body) return;
-    if (!organism.grower->branches() || organism.sown)
+    if (!organism.grower->traits().branches || organism.sown)
       note(*body, pointer + "/body",
            organism.sown ? "copies that are sown are drawn branch by branch"
                          : "this kind has no branches, which it is for");

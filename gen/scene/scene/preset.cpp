@@ -40,15 +40,15 @@ void check_organism(const Organism& organism, const Value& written, std::size_t 
           fmt::format(
               "lies off the ground, which reaches {:g} m here; expected a place within that of the middle",
               reach)));
-  if (organism.sown && organism.grower->creeps())
+  if (organism.sown && organism.grower->traits().creeps())
     faults.add(organism_fault(written, index, "/sown",
                               "ivy cannot be sown, for it grows on what stands; expected another kind"));
   auto add = [&](Faults& list, const Errors& errors) {
     for (const Error& error : errors) list.add(organism_fault(written, index, error.where, error.what));
   };
-  Errors errors = organism.grower->check();
-  add(faults, errors);
-  if (errors.empty()) add(doubtful, organism.grower->doubts());
+  const Review review = organism.grower->review();
+  add(faults, review.faults);
+  if (review.faults.empty()) add(doubtful, review.doubts);
   add(faults, edit_faults(organism));
   add(doubtful, edit_doubts(organism));
 }
@@ -64,7 +64,7 @@ std::string host_fault(const std::string& name, const std::vector<std::string_vi
 void check_hosts(const Preset& preset, Faults& faults) {
   std::vector<std::string_view> names;
   for (const Organism& organism : preset.organisms)
-    if (!organism.name.empty() && !organism.sown && !organism.grower->creeps())
+    if (!organism.name.empty() && !organism.sown && !organism.grower->traits().creeps())
       names.push_back(organism.name);
   for (std::size_t i = 0; i < preset.organisms.size(); ++i) {
     auto check = [&](std::string_view pointer, const std::vector<std::string>& hosts) {
@@ -74,8 +74,8 @@ void check_hosts(const Preset& preset, Faults& faults) {
                                     fmt::format("{}/{}", pointer, k), host_fault(hosts[k], names)));
     };
     const Organism& organism = preset.organisms[i];
-    if (const std::vector<std::string>* hosts = organism.grower->hosts()) check("/on", *hosts);
-    if (organism.grower->stands_on_bodies()) check("/place/on", organism.place.on);
+    if (const std::vector<std::string>* hosts = organism.grower->traits().hosts) check("/on", *hosts);
+    if (organism.grower->traits().stands_on_bodies()) check("/place/on", organism.place.on);
   }
 }
 

@@ -58,7 +58,7 @@ std::vector<PlacedEntry> find_places(const Preset& preset, const Extent& extent,
     if (organism.count == 0 || organism.sown) continue;
     PlacedEntry& plot = plots.emplace_back();
     plot.bed = {&organism, o, seeds[o], {}};
-    if (finds_own_place(organism.grower->stage())) continue;
+    if (organism.grower->traits().finds_own_place()) continue;
     auto room = static_cast<float>(room_of(place, extent));
     for (Vec2 at : place.at) plot.spots.push_back({at, room}), taken.take(plot.spots.back());
     if (!place.on.empty()) continue;  // bodies are not there yet
@@ -79,7 +79,8 @@ std::vector<Bed> set_feet(const Preset& preset, std::vector<PlacedEntry> plots, 
   std::vector<Bed> beds;
   for (PlacedEntry& plot : plots) {
     const Organism& organism = *plot.bed.organism;
-    double rock = organism.grower->stands_on_rock() && organism.place.on.empty() ? organism.place.rock : 0;
+    double rock =
+        organism.grower->traits().stands_on_rock && organism.place.on.empty() ? organism.place.rock : 0;
     for (std::size_t i = 0; i < plot.spots.size(); ++i) {
       bool given = i < organism.place.at.size();
       Seed seed = given ? plot.bed.seed.child("instance", i)
@@ -102,7 +103,7 @@ std::vector<Bed> set_feet(const Preset& preset, std::vector<PlacedEntry> plots, 
 std::vector<Specimen> in_order(std::vector<Specimen> all, const Preset& preset) {
   std::ranges::stable_sort(all, {}, [&](const Specimen& s) {
     if (s.entry == Specimen::kNoEntry) return std::size_t{0};
-    bool creeps = finds_own_place(preset.organisms[s.entry].grower->stage());
+    bool creeps = preset.organisms[s.entry].grower->traits().finds_own_place();
     return 1 + s.entry + (creeps ? preset.organisms.size() : 0);
   });
   return all;
@@ -147,7 +148,8 @@ Result<GrownStages> grow_in(World& world, const Preset& preset, const std::vecto
   std::size_t steps = 0;
   for (const Bed& bed : beds) steps += steps_of(bed);
   watch.begin("grow", steps);
-  bool swims = std::ranges::any_of(beds, [](const Bed& bed) { return bed.organism->grower->swims(); });
+  bool swims =
+      std::ranges::any_of(beds, [](const Bed& bed) { return bed.organism->grower->traits().swims(); });
   if (swims) world.lay(strewn_surface(ground));
   return grow_stages(preset, beds, ground.floor(), watch, cache, only, world);
 }

@@ -61,7 +61,7 @@ struct SownStand {
 
   /// How high a model is at most, about, metres; 0: unknown.
   double tallest() const {
-    return organism.sown->size ? double{organism.sown->size->height} : organism.grower->tallest();
+    return organism.sown->size ? double{organism.sown->size->height} : organism.grower->traits().tallest;
   }
 };
 

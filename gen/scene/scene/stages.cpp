@@ -49,7 +49,7 @@ class SceneBuilder {
                               GrowthStage::in_light, GrowthStage::creeping, GrowthStage::swimming}) {
       std::vector<Bed> growing;
       std::ranges::copy_if(beds, std::back_inserter(growing),
-                           [&](const Bed& bed) { return bed.organism->grower->stage() == stage; });
+                           [&](const Bed& bed) { return bed.organism->grower->traits().stage == stage; });
       if (leaves_out(stage, growing)) continue;
       if (stage == GrowthStage::in_space) {
         if (Errors errors = settle_colonies(preset_, growing, world, grown.notes); !errors.empty())
@@ -172,7 +172,7 @@ class SceneBuilder {
   /// The bed that the i-th of what some beds have grown belongs to, and which of its plantings it is.
   static std::pair<const Bed*, std::size_t> bed_of(const std::vector<Bed>& beds, std::size_t i) {
     for (const Bed& bed : beds) {
-      std::size_t count = finds_own_place(bed.organism->grower->stage()) ? 1 : bed.plantings.size();
+      std::size_t count = bed.organism->grower->traits().finds_own_place() ? 1 : bed.plantings.size();
       if (i < count) return {&bed, i};
       i -= count;
     }
@@ -243,7 +243,7 @@ class SceneBuilder {
 
 std::size_t steps_of(const Bed& bed) {
   const Organism& organism = *bed.organism;
-  if (finds_own_place(organism.grower->stage())) return 1;
+  if (organism.grower->traits().finds_own_place()) return 1;
   std::size_t to_come = organism.place.on.empty() ? 0 : static_cast<std::size_t>(organism.count);
   return std::max(bed.plantings.size(), to_come);
 }

@@ -16,10 +16,11 @@ std::vector<Gale> gales_of(const Preset& preset, double gusts) {
   for (const Event& event : preset.events) {
     if (event.storm <= 0) continue;
     for (const Organism& organism : preset.organisms) {
-      std::optional<StormTime> storm = organism.grower->storm_of(event);
-      if (!storm) continue;
-      gales.push_back({storm->time, storm->lasts, storm->gust / (1 + kGustFactor * gusts)});
-      break;
+      const Perennial* years = organism.grower->perennial();
+      if (auto storm = years ? years->storm_of(event) : std::nullopt) {
+        gales.push_back({storm->time, storm->lasts, storm->gust / (1 + kGustFactor * gusts)});
+        break;
+      }
     }
   }
   return gales;
@@ -32,7 +33,8 @@ bool in_wind(const Motion& motion, const Stage& stage) {
 }
 
 bool sown_in_wind(const Organism& organism, const Motion& motion, const Stage& stage) {
-  return in_wind(motion, stage) || (stage.wind && organism.grower->branches() && motion.wave.amplitude == 0);
+  return in_wind(motion, stage) ||
+         (stage.wind && organism.grower->traits().branches && motion.wave.amplitude == 0);
 }
 
 std::optional<WindField> wind_in(const Scene& scene, std::vector<Gale> gales) {

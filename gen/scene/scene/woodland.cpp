@@ -115,7 +115,9 @@ class Library {
     if (statures_.empty()) return;
     Organism organism = preset_.organisms[entry];
     organism.place.size_variation = 0;
-    std::vector<float> heights = organism.grower->heights(organism, entry_seeds(preset_, "heights")[entry]);
+    std::vector<float> heights;
+    if (const Perennial* lived = organism.grower->perennial())
+      heights = lived->heights(organism, entry_seeds(preset_, "heights")[entry]);
     prunings_.clear();
     for (const Event& event : preset_.events)
       if (event.prune && concerns(event.prune->entry, organism.name))
@@ -141,8 +143,9 @@ class Library {
     double clear = 0;
     if (form == Form::pruned)
       for (const Pruning& p : prunings_) clear = std::max(clear, p.below);
-    if (auto aged = organism.grower->at_age(years, form == Form::dead ? kBare : 0, clear))
-      stand.organism.grower = aged;
+    if (const Perennial* lived = organism.grower->perennial())
+      if (auto aged = lived->at_age(years, form == Form::dead ? kBare : 0, clear))
+        stand.organism.grower = aged;
     stand.organism.sown->size = ModelSize{stature.height, stature.crown, kFlare * stature.diameter};
     stand.organism.sown->where.radius = stature.crown;
     stand.dress = copy_dress(stand.organism);

@@ -134,7 +134,7 @@ class BridgeGrower final : public Described<BridgeParams, BodyBuilder> {
                                                   "crown", "posts",      "rail_height", "balusters",
                                                   "color", "weathering", "moss"};
 
-  Errors check() const override { return {}; }
+  Review review() const override { return {}; }
   Result<SizeEstimate> estimate_size(Seed) const override {
     const BridgeShape& b = params.shape;
     SizeEstimate bridge;

@@ -78,9 +78,15 @@ class ColonizedGrower final : public Described<ColonizedParams, LoneGrower> {
       "colonize/attractors", "colonize/kill", "colonize/tropism", "colonize/jitter", "thickness/exponent",
       "leaves/shape",        "leaves/size",   "leaves/colors"};
 
-  Errors check() const override {
+  GrowerTraits traits() const override {
+    return {.stage = GrowthStage::round_bodies,
+            .branches = true,
+            .rebuilt = params.dress.season ? Rebuilt::always : Rebuilt::never,
+            .tallest = params.envelope.base + params.envelope.height};
+  }
+  Review review() const override {
     Errors errors = check_colonized(params);
-    return errors.empty() ? check_pictures(params.dress) : errors;
+    return {errors.empty() ? check_pictures(params.dress) : errors};
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
     // Of the points no more count than have room beside each other, and many are taken by the way.
@@ -95,17 +101,11 @@ class ColonizedGrower final : public Described<ColonizedParams, LoneGrower> {
     tree.nodes_a_second = kTreeNodesASecond;
     return tree;
   }
-  double tallest() const override { return params.envelope.base + params.envelope.height; }
-  bool branches() const override { return true; }
   Dress dress() const override { return dress_of(params.dress, params.leaf_reach > 0); }
-  bool develops(bool) const override { return params.dress.season.has_value(); }
-  std::optional<Result<Grammar>> grammar() const override { return std::nullopt; }
-  GrowthStage stage() const override { return GrowthStage::round_bodies; }
   Result<Model> grow_alone(Seed seed) const override { return grow_colonized_tree(params, seed); }
   Result<Model> grow_round(const Detour& detour, Seed seed) const override {
     return grow_colonized_tree(params, seed, detour);
   }
-  std::function<Result<Model>(double)> develop(const Motion&, Seed) const override { return {}; }
 };
 
 }  // namespace

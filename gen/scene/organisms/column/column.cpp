@@ -40,7 +40,7 @@ class ColumnGrower final : public Described<ColumnParams, BodyBuilder> {
   static constexpr std::string_view kLeading[] = {"height",      "radius", "taper", "entasis",   "flutes",
                                                   "flute_depth", "broken", "stone", "weathering"};
 
-  Errors check() const override { return {}; }
+  Review review() const override { return {}; }
   Result<SizeEstimate> estimate_size(Seed) const override {
     SizeEstimate column;
     column.triangles = params.shape.broken > 0 ? 23e3 : 39e3;

@@ -48,11 +48,11 @@ class ColumnarGrower final : public Described<ColumnarParams, ColonyGrower> {
       "accretion/across", "accretion/up",    "accretion/layers",    "accretion/light", "accretion/hunger",
       "accretion/upward", "accretion/lumps", "accretion/lump_size", "tissue/color"};
 
-  Errors check() const override {
+  Review review() const override {
     const Accretion& a = params.accretion;
     if (a.edge * 6 > std::min(a.across, a.up))
-      return {{"/accretion/edge",
-               "found triangles that are too large for the coral; expected a sixth of its size at most"}};
+      return {{{"/accretion/edge",
+                "found triangles that are too large for the coral; expected a sixth of its size at most"}}};
     return {};
   }
   std::shared_ptr<const Grower> coarse(double share) const override {
@@ -62,8 +62,7 @@ class ColumnarGrower final : public Described<ColumnarParams, ColonyGrower> {
     const Accretion& a = params.accretion;
     return estimate_surface(a, 2 * kPi * a.across * (a.across / 2 + a.up) * (1 + 0.5 * a.hunger));
   }
-  double tallest() const override { return params.accretion.up; }
-  bool branches() const override { return false; }
+  GrowerTraits traits() const override { return colony({.tallest = params.accretion.up}); }
   Dress dress() const override {
     Dress dress;
     dress.motion.growth = params.growth;

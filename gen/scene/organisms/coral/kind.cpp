@@ -77,24 +77,23 @@ class CoralGrower final : public Described<CoralParams, ColonyGrower> {
       "angle_jitter",   "internode", "length_scale", "width_scale", "thickness/radius",
       "thickness/knob", "lift"};
 
-  Errors check() const override {
+  GrowerTraits traits() const override { return colony({.branches = true}); }
+  Review review() const override {
     bool own = params.form == CoralForm::own;
     if (own && params.grammar.where.ends_with("/steps"))
-      return {{"/form", "found \"own\" and no rules; expected a \"grammar\""}};
+      return {{{"/form", "found \"own\" and no rules; expected a \"grammar\""}}};
     if (!own && params.own_rules)
-      return {
-          {"/grammar", "found rules, but the coral grows by those of its form; expected \"form\": \"own\""}};
+      return {{{"/grammar",
+                "found rules, but the coral grows by those of its form; expected \"form\": \"own\""}}};
     Result<Grammar> grammar = coral_grammar(params);
     if (grammar)
-      if (Errors errors = check_asking(*grammar, params.height); !errors.empty()) return errors;
+      if (Errors errors = check_asking(*grammar, params.height); !errors.empty()) return {errors};
     Errors errors = grammar ? size_faults(*grammar) : grammar.errors();
-    if (own) return pointed(params.grammar, std::move(errors));
-    for (Error& error : errors) error.where.clear();  // its rules are ours
-    return errors;
-  }
-  Errors doubts() const override {
-    Result<Grammar> grammar = coral_grammar(params);
-    return grammar ? pointed(params.grammar, grammar->warnings) : Errors{};
+    if (own)
+      errors = pointed(params.grammar, std::move(errors));
+    else
+      for (Error& error : errors) error.where.clear();  // its rules are ours
+    return {errors, grammar ? pointed(params.grammar, grammar->warnings) : Errors{}};
   }
   Result<SizeEstimate> estimate_size(Seed seed) const override {
     Result<SizeEstimate> coral = word_size(params, seed);
@@ -105,8 +104,6 @@ class CoralGrower final : public Described<CoralParams, ColonyGrower> {
     constexpr auto steps = [](CoralParams& p) -> int& { return p.own_rules ? p.grammar.steps : p.steps; };
     return fewer_steps<CoralGrower, CoralParams>(*this, share, steps, word_size);
   }
-  double tallest() const override { return 0; }
-  bool branches() const override { return true; }
   Dress dress() const override {
     Dress dress;
     dress.look.branches = {.skin = params.skin};

@@ -64,7 +64,7 @@ class EncrustingGrower final : public BodyColony<EncrustingParams> {
   static constexpr std::string_view kLeading[] = {"across",    "height", "lobes", "lobe_size",
                                                   "thickness", "rim",    "lumps", "tissue/color"};
 
-  Errors check() const override { return check_edge(params.edge, params.across, 10); }
+  Review review() const override { return {check_edge(params.edge, params.across, 10)}; }
   std::shared_ptr<const Grower> coarse(double share) const override {
     return longer_edges(*this, share, [](auto& p) -> double& { return p.edge; });
   }

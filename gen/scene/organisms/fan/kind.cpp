@@ -31,9 +31,10 @@ class FanGrower final : public Described<FanParams, ColonyGrower> {
                                                   "thread", "foot",   "gather", "curl",   "skin/kind"};
 
   FanGrower() { params.skin.kind = SkinKind::fan; }
-  Errors check() const override {
+  Review review() const override {
     if (params.mesh * 5 > std::min(params.across, params.height))
-      return {{"/mesh", "found meshes that are too wide for the fan; expected a fifth of its size at most"}};
+      return {
+          {{"/mesh", "found meshes that are too wide for the fan; expected a fifth of its size at most"}}};
     return {};
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
@@ -43,8 +44,7 @@ class FanGrower final : public Described<FanParams, ColonyGrower> {
     sight.riding = true;
     return sight;
   }
-  double tallest() const override { return 1.1 * params.height; }
-  bool branches() const override { return true; }
+  GrowerTraits traits() const override { return colony({.branches = true, .tallest = 1.1 * params.height}); }
   Dress dress() const override {
     Dress dress;
     dress.look.branches = {.skin = params.skin};

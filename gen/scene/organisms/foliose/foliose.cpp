@@ -114,7 +114,7 @@ class FolioseGrower final : public BodyColony<FolioseParams> {
   static constexpr std::string_view kLeading[] = {"form",   "across", "height",    "sheets",      "excess",
                                                   "ruffle", "lobes",  "thickness", "tissue/color"};
 
-  Errors check() const override { return check_edge(params.edge, params.across, 10); }
+  Review review() const override { return {check_edge(params.edge, params.across, 10)}; }
   std::shared_ptr<const Grower> coarse(double share) const override {
     return longer_edges(*this, share, [](auto& p) -> double& { return p.edge; });
   }

@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "core/parallel.h"
 #include "dress/describe.h"
 #include "geometry/mesh_file.h"
 #include "images/describe_mask.h"
@@ -218,42 +217,20 @@ void describe(Properties& v, IvyParams& i) {
 
 namespace {
 
-class IvyGrower final : public Described<IvyParams, Grower> {
+class IvyGrower final : public Described<IvyParams, BedGrower> {
  public:
   static constexpr std::string_view kLeading[] = {"on",           "crawl/max_age",      "crawl/wander",
                                                   "crawl/bias",   "crawl/branch_every", "crawl/branch_angle",
                                                   "crawl/radius", "crawl/low",          "crawl/high",
                                                   "leaves/size",  "leaves/spacing",     "leaves/colors"};
 
-  GrowthStage stage() const override { return GrowthStage::creeping; }
-  bool stands_on_rock() const override { return false; }
-  Errors check() const override {
-    const Crawl& crawl = params.crawl;
-    for (int axis = 0; axis < 3; ++axis)
-      if (crawl.low[axis] > crawl.high[axis])
-        return {{fmt::format("/crawl/high/{}", axis),
-                 fmt::format("found {:g}, below the {:g} of low; expected a box that holds something",
-                             crawl.high[axis], crawl.low[axis])}};
-    for (std::size_t i = 0; i < crawl.guides.size(); ++i)
-      if (crawl.guides[i].curves().empty() && crawl.guides[i].file.empty())
-        return {{fmt::format("/crawl/guides/{}", i), "expected at least two points, or a file of lines"}};
-    if (crawl.mask && crawl.mask->picture.along && crawl.mask->picture.file.empty())
-      return {{"/crawl/mask/along", "has no picture to project; expected a file beside it"}};
-    if (crawl.mask)
-      for (std::size_t i = 0; i < crawl.mask->scales.size(); ++i)
-        if (std::ranges::find(kMaskScales, crawl.mask->scales[i]) == std::end(kMaskScales))
-          return {{fmt::format("/crawl/mask/scales/{}", i),
-                   fmt::format("found \"{}\"; expected one of {}", crawl.mask->scales[i],
-                               fmt::join(kMaskScales, ", "))}};
-    auto none = [](const auto& key) { return glm::length(key.value) < 1e-3f; };
-    auto biased = [](const auto& key) { return key.value > 0; };
-    if (crawl.lure == Lure::point || std::ranges::none_of(crawl.bias.keys(), biased) ||
-        std::ranges::none_of(crawl.toward.keys(), none))
-      return {};
-    return {{"/crawl/toward", "found a vector of length 0; expected the direction that strands turn to"}};
+  GrowerTraits traits() const override {
+    return {.stage = GrowthStage::creeping,
+            .branches = params.crawl.trace,
+            .rebuilt = params.crawl.trace ? Rebuilt::never : Rebuilt::in_films,
+            .hosts = &params.on};
   }
-  Errors doubts() const override { return {}; }
-  Errors check_together(std::span<const Organism* const>, double) const override { return {}; }
+  Review review() const override { return {faults()}; }
   /// How far ivy comes shows only on its host: here it always finds room.
   Result<SizeEstimate> estimate_size(Seed) const override {
     const Crawl& crawl = params.crawl;
@@ -278,8 +255,6 @@ class IvyGrower final : public Described<IvyParams, Grower> {
     ivy.held = painted;
     return ivy;
   }
-  double tallest() const override { return 0; }
-  bool branches() const override { return params.crawl.trace; }
   Dress dress() const override {
     Dress dress;
     dress.look.branches = {.bark = params.bark};
@@ -287,29 +262,7 @@ class IvyGrower final : public Described<IvyParams, Grower> {
     dress.variation = params.bark.variation;
     return dress;
   }
-  bool develops(bool filmed) const override { return filmed && !params.crawl.trace; }
-  std::optional<Result<Grammar>> grammar() const override { return std::nullopt; }
-  const std::vector<std::string>* hosts() const override { return &params.on; }
-  std::optional<Spread> spread() const override { return std::nullopt; }
-
-  std::vector<Result<Specimen>> grow(std::span<const Bed> beds, const World& world,
-                                     const Step& step) const override {
-    std::vector<std::optional<Result<Specimen>>> grown(beds.size());
-    parallel_for(beds.size(), [&](std::size_t i) {
-      grown[i] = grower_of<IvyGrower>(*beds[i].organism).grow_bed(beds[i], world);
-      step();
-    });
-    std::vector<Result<Specimen>> list;
-    for (auto& one : grown) list.push_back(std::move(*one));
-    return list;
-  }
-  Result<Model> grow_copy(const Organism&, Seed) const override {
-    return Error{"", "ivy grows on other bodies"};
-  }
-  float copy_depth(const Model&) const override { return 0; }
-
- private:
-  Result<Specimen> grow_bed(const Bed& bed, const World& world) const {
+  Result<Specimen> grow_bed(const Bed& bed, const World& world) const override {
     const Organism& organism = *bed.organism;
     auto ground = [&](double x, double z) { return (*world.ground())(x, z); };
     IvyRoots roots;
@@ -339,6 +292,36 @@ class IvyGrower final : public Described<IvyParams, Grower> {
           std::make_shared<const SwingPaths>(swing_paths(hanging.strands, wind, params.crawl.stiffness));
     }
     return specimen;
+  }
+  Result<Model> grow_copy(const Organism&, Seed) const override {
+    return Error{"", "ivy grows on other bodies"};
+  }
+
+ private:
+  Errors faults() const {
+    const Crawl& crawl = params.crawl;
+    for (int axis = 0; axis < 3; ++axis)
+      if (crawl.low[axis] > crawl.high[axis])
+        return {{fmt::format("/crawl/high/{}", axis),
+                 fmt::format("found {:g}, below the {:g} of low; expected a box that holds something",
+                             crawl.high[axis], crawl.low[axis])}};
+    for (std::size_t i = 0; i < crawl.guides.size(); ++i)
+      if (crawl.guides[i].curves().empty() && crawl.guides[i].file.empty())
+        return {{fmt::format("/crawl/guides/{}", i), "expected at least two points, or a file of lines"}};
+    if (crawl.mask && crawl.mask->picture.along && crawl.mask->picture.file.empty())
+      return {{"/crawl/mask/along", "has no picture to project; expected a file beside it"}};
+    if (crawl.mask)
+      for (std::size_t i = 0; i < crawl.mask->scales.size(); ++i)
+        if (std::ranges::find(kMaskScales, crawl.mask->scales[i]) == std::end(kMaskScales))
+          return {{fmt::format("/crawl/mask/scales/{}", i),
+                   fmt::format("found \"{}\"; expected one of {}", crawl.mask->scales[i],
+                               fmt::join(kMaskScales, ", "))}};
+    auto none = [](const auto& key) { return glm::length(key.value) < 1e-3f; };
+    auto biased = [](const auto& key) { return key.value > 0; };
+    if (crawl.lure == Lure::point || std::ranges::none_of(crawl.bias.keys(), biased) ||
+        std::ranges::none_of(crawl.toward.keys(), none))
+      return {};
+    return {{"/crawl/toward", "found a vector of length 0; expected the direction that strands turn to"}};
   }
 
   Errors mask_faults(const TriangleSurface& host) const {

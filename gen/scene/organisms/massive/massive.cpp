@@ -81,10 +81,10 @@ class MassiveGrower final : public BodyColony<MassiveParams> {
   static constexpr std::string_view kLeading[] = {"across", "height", "lumps", "lump_size",
                                                   "relief", "valley", "depth", "tissue/color"};
 
-  Errors check() const override {
+  Review review() const override {
     if (params.edge * 8 > std::min(params.across, params.height))
-      return {{"/edge",
-               "found triangles that are too large for the coral; expected an eighth of its size at most"}};
+      return {{{"/edge",
+                "found triangles that are too large for the coral; expected an eighth of its size at most"}}};
     return {};
   }
   std::shared_ptr<const Grower> coarse(double share) const override {

@@ -64,20 +64,7 @@ class MeshGrower final : public Described<MeshParams, BodyBuilder> {
   static constexpr std::string_view kLeading[] = {"file",   "size",  "matter",    "color",
                                                   "second", "scale", "weathering"};
 
-  Errors check() const override {
-    if (params.file.empty()) return {Error{"/file", "is empty; expected the name of a file"}};
-    if (params.unit && params.own_size)
-      return {Error{"/size", "says how large the body is, and so does unit; expected one of them"}};
-    if (!params.body) return {};
-    constexpr double kLeast = 0.001, kMost = 1000;
-    if (double size = size_of(params); params.unit && !(size >= kLeast && size <= kMost))
-      return {Error{"/unit",
-                    fmt::format("makes the body {:.4g} m long; expected {} to {} m", size, kLeast, kMost)}};
-    for (auto [pointer, names] : {std::pair("/parts", &params.parts), {"/carries", &params.carries}})
-      if (Errors errors = name_faults(pointer, *names); !errors.empty()) return errors;
-    return {};
-  }
-  Errors doubts() const override { return mesh_doubts(params); }
+  Review review() const override { return {faults(), mesh_doubts(params)}; }
   Dress dress() const override {
     Dress dress;
     dress.look.pictures = mesh_pictures(params);
@@ -92,6 +79,20 @@ class MeshGrower final : public Described<MeshParams, BodyBuilder> {
   Result<Model> grow_alone(Seed) const override { return build_mesh_model(params); }
 
  private:
+  Errors faults() const {
+    if (params.file.empty()) return {Error{"/file", "is empty; expected the name of a file"}};
+    if (params.unit && params.own_size)
+      return {Error{"/size", "says how large the body is, and so does unit; expected one of them"}};
+    if (!params.body) return {};
+    constexpr double kLeast = 0.001, kMost = 1000;
+    if (double size = size_of(params); params.unit && !(size >= kLeast && size <= kMost))
+      return {Error{"/unit",
+                    fmt::format("makes the body {:.4g} m long; expected {} to {} m", size, kLeast, kMost)}};
+    for (auto [pointer, names] : {std::pair("/parts", &params.parts), {"/carries", &params.carries}})
+      if (Errors errors = name_faults(pointer, *names); !errors.empty()) return errors;
+    return {};
+  }
+
   /// An error for the first of these names that the file does not have; empty where it has all of them.
   Errors name_faults(std::string_view pointer, const std::vector<std::string>& names) const {
     std::vector<std::string_view> known(params.body->names.begin(), params.body->names.end());

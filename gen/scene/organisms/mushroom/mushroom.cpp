@@ -105,7 +105,7 @@ class MushroomGrower final : public BodyColony<MushroomParams> {
   static constexpr std::string_view kLeading[] = {"across", "height", "oval",
                                                   "septa",  "depth",  "tissue/color"};
 
-  Errors check() const override { return {}; }
+  Review review() const override { return {}; }
   Result<SizeEstimate> estimate_size(Seed) const override {
     SizeEstimate sight;
     sight.triangles = 2.0 * 46 * params.septa * 12;

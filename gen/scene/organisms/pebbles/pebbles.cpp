@@ -97,12 +97,12 @@ class PebblesGrower final : public Described<PebblesParams, BodyBuilder> {
       "number",          "radius",     "inner",      "least_size", "most_size", "shapes", "weathering/facets",
       "weathering/edge", "stone/kind", "stone/moss", "buried"};
 
-  Errors check() const override {
+  Review review() const override {
     Errors faults = check_pebbles(params);
-    return faults.empty() ? check_stone(params.stone) : faults;
+    return {faults.empty() ? check_stone(params.stone) : faults};
   }
   Dress dress() const override { return stone_dress(params.stone); }
-  bool stands_on_rock() const override { return false; }
+  GrowerTraits traits() const override { return {.stands_on_rock = false}; }
   Result<SizeEstimate> estimate_size(Seed) const override {
     SizeEstimate field;
     field.triangles = params.shapes * estimate_triangles(params.shape);

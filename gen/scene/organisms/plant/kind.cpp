@@ -195,41 +195,44 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
       "stand",     "smoothing",     "thickness/from", "thickness/radius",     "thickness/exponent",
       "bark/kind", "bark/colors",   "organs"};
 
-  Errors check() const override {
-    if (params.grammar.cpfg) return cpfg_faults(params);
+  /// What asks grows among what stands; whose places are given stands where they say.
+  GrowerTraits traits() const override {
+    const GrammarText& text = params.grammar;
+    bool placed = !text.guide.empty() || text.axiom.find("@M") != std::string::npos;
+    return {.stage = asks() ? GrowthStage::in_space : GrowthStage::free,
+            .branches = true,
+            .rebuilt = params.by_steps || params.season ? Rebuilt::always : Rebuilt::never,
+            .tallest = params.height,
+            .sunk = placed ? 0.0f : 1.0f};
+  }
+  Review review() const override {
+    if (params.grammar.cpfg) return {cpfg_faults(params)};
     if (params.grammar.vary)
-      return {
-          {"/grammar/vary", "is for models of cpfg (.l); the chances of other grammars vary by themselves"}};
+      return {{{"/grammar/vary",
+                "is for models of cpfg (.l); the chances of other grammars vary by themselves"}}};
     Result<Grammar> grammar = plant_grammar(params);
-    if (!grammar) return pointed(params.grammar, grammar.errors());
+    if (!grammar) return {pointed(params.grammar, grammar.errors())};
     for (std::size_t i = 0; i < params.organs.size(); ++i) {
       const OrganParams& organ = params.organs[i];
       std::string place = fmt::format("/organs/{}", i), pointer = place + "/picture";
       if (organ.picture.has_value() != (organ.shape == OrganShape::picture))
-        return {{pointer, organ.picture ? "needs \"shape\": \"picture\""
-                                        : "is missing; the shape \"picture\" needs it"}};
+        return {{{pointer, organ.picture ? "needs \"shape\": \"picture\""
+                                         : "is missing; the shape \"picture\" needs it"}}};
       if (organ.grammar.has_value() != (organ.shape == OrganShape::grammar))
-        return {{place + "/grammar", organ.grammar ? "needs \"shape\": \"grammar\""
-                                                   : "is missing; the shape \"grammar\" needs it"}};
+        return {{{place + "/grammar", organ.grammar ? "needs \"shape\": \"grammar\""
+                                                    : "is missing; the shape \"grammar\" needs it"}}};
       if (Errors errors = organ_faults(organ); !errors.empty()) {
         errors = pointed(*organ.grammar, std::move(errors));
         for (Error& error : errors) error.where = place + error.where;
-        return errors;
+        return {errors};
       }
       if (Errors errors = check_pictures({}, organ.picture, (pointer + "/pixels").c_str()); !errors.empty())
-        return errors;
+        return {errors};
     }
-    if (Errors errors = check_asking(*grammar, params.height); !errors.empty()) return errors;
+    if (Errors errors = check_asking(*grammar, params.height); !errors.empty()) return {errors};
     if (grammar->asks && params.by_steps)
-      return {{"/by_steps", "found true, but the grammar asks ?E, which is answered once; expected false"}};
-    return pointed(params.grammar, size_faults(*grammar));
-  }
-  /// What asks grows among what stands.
-  GrowthStage stage() const override { return asks() ? GrowthStage::in_space : GrowthStage::free; }
-  Errors doubts() const override {
-    if (params.grammar.cpfg) return {};
-    Result<Grammar> grammar = plant_grammar(params);
-    return grammar ? pointed(params.grammar, grammar->warnings) : Errors{};
+      return {{{"/by_steps", "found true, but the grammar asks ?E, which is answered once; expected false"}}};
+    return {pointed(params.grammar, size_faults(*grammar)), pointed(params.grammar, grammar->warnings)};
   }
   Result<SizeEstimate> estimate_size(Seed seed) const override {
     if (params.grammar.cpfg) return cpfg_size(params);
@@ -242,8 +245,6 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
     constexpr auto steps = [](PlantParams& p) -> int& { return p.grammar.steps; };
     return fewer_steps<PlantGrower, PlantParams>(*this, share, steps, word_size);
   }
-  double tallest() const override { return params.height; }
-  bool branches() const override { return true; }
   Dress dress() const override {
     Dress dress;
     dress.look.branches = {.bark = params.bark};
@@ -255,7 +256,6 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
     dress.variation = params.bark.variation;
     return dress;
   }
-  bool develops(bool) const override { return params.by_steps || params.season; }
   std::optional<Result<Grammar>> grammar() const override {
     if (params.grammar.cpfg) return std::nullopt;
     return plant_grammar(params);
@@ -266,12 +266,6 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
     if (!asks()) return grow_plant(params, seed);
     Surroundings around(world, planting.claim, placement);
     return grow_plant(params, seed, 1, environment_of(around, params.food, params.growth));
-  }
-  /// Whose places are given stands where they say.
-  float copy_depth(const Model& model) const override {
-    const GrammarText& text = params.grammar;
-    bool placed = !text.guide.empty() || text.axiom.find("@M") != std::string::npos;
-    return placed ? 0 : LoneGrower::copy_depth(model);
   }
   /// By steps it grows anew for each frame.
   std::function<Result<Model>(double)> develop(const Motion& motion, Seed seed) const override {

@@ -51,9 +51,9 @@ class RockGrower final : public Described<RockParams, BodyBuilder> {
                                                   "stone/moss",
                                                   "buried"};
 
-  Errors check() const override {
+  Review review() const override {
     Errors faults = check_rock(params.shape);
-    return faults.empty() ? check_stone(params.stone) : faults;
+    return {faults.empty() ? check_stone(params.stone) : faults};
   }
   Dress dress() const override { return stone_dress(params.stone); }
   std::shared_ptr<const Grower> coarse(double share) const override {
@@ -62,7 +62,7 @@ class RockGrower final : public Described<RockParams, BodyBuilder> {
       p.shape.cells.tolerance = std::max(p.shape.cells.tolerance, 0.004);
     });
   }
-  bool stands_on_rock() const override { return false; }
+  GrowerTraits traits() const override { return {.stands_on_rock = false}; }
   Result<SizeEstimate> estimate_size(Seed) const override {
     SizeEstimate rock;
     rock.triangles = params.native ? 0 : estimate_triangles(params.shape);

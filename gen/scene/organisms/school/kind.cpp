@@ -4,7 +4,6 @@
 #include <cmath>
 #include <memory>
 
-#include "core/parallel.h"
 #include "dress/describe_fish.h"
 #include "organisms/kinds.h"
 #include "organisms/school/school.h"
@@ -55,26 +54,26 @@ namespace {
 constexpr double kMostCells = 4e6;  // of the grid that says where corals are
 constexpr double kMostFish = 5000;
 
-class School final : public Described<SchoolParams, Grower> {
+Errors too_many_fish(std::span<const Organism* const> all, double /*relief*/) {
+  for (const Organism* one : all)
+    if (one->count > kMostFish)
+      return {{"/count", fmt::format("found {} fish; expected {} at most", one->count, kMostFish)}};
+  return {};
+}
+
+class School final : public Described<SchoolParams, BedGrower> {
  public:
   static constexpr std::string_view kLeading[] = {"fish/length",  "fish/form",     "swim/speed",
                                                   "swim/spacing", "swim/cohesion", "swim/alignment",
                                                   "swim/wander",  "swim/layer",    "swim/roam"};
 
-  GrowthStage stage() const override { return GrowthStage::swimming; }
-  std::optional<Spread> spread() const override { return std::nullopt; }
-  bool stands_on_rock() const override { return false; }
-  Errors check() const override {
-    if (params.swim.sight < params.swim.spacing)
-      return {
-          {"/swim/sight", "is below swim.spacing; expected at least that, so that fish see who is too near"}};
-    return {};
+  GrowerTraits traits() const override {
+    return {.stage = GrowthStage::swimming, .rebuilt = Rebuilt::in_films, .faults_together = too_many_fish};
   }
-  Errors doubts() const override { return {}; }
-  Errors check_together(std::span<const Organism* const> all, double) const override {
-    for (const Organism* one : all)
-      if (one->count > kMostFish)
-        return {{"/count", fmt::format("found {} fish; expected {} at most", one->count, kMostFish)}};
+  Review review() const override {
+    if (params.swim.sight < params.swim.spacing)
+      return {{{"/swim/sight",
+                "is below swim.spacing; expected at least that, so that fish see who is too near"}}};
     return {};
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
@@ -83,44 +82,13 @@ class School final : public Described<SchoolParams, Grower> {
     fish.shapes = kTailPhases * kTailBends * 900.0;
     return fish;
   }
-  double tallest() const override { return 0; }
-  bool branches() const override { return false; }
   Dress dress() const override {
     Dress dress;
     dress.look.branches = {.bark = Bark{}};  // none is seen: fish are organs
     dress.look.pictures.push_back(fish_drawing(params.fish.form, params.fish.look));
     return dress;
   }
-  bool develops(bool filmed) const override { return filmed; }
-  std::optional<Result<Grammar>> grammar() const override { return std::nullopt; }
-  const std::vector<std::string>* hosts() const override { return nullptr; }
-
-  std::vector<Result<Specimen>> grow(std::span<const Bed> beds, const World& world,
-                                     const Step& step) const override {
-    std::vector<Result<Specimen>> grown(beds.size(), Error{});
-    parallel_for(beds.size(), [&](std::size_t i) {
-      grown[i] = grower_of<School>(*beds[i].organism).swim_bed(beds[i], world);
-      step();
-    });
-    return grown;
-  }
-  Result<Model> grow_copy(const Organism&, Seed) const override {
-    return Error{"", "a school swims; it cannot be sown"};
-  }
-  float copy_depth(const Model&) const override { return 0; }
-
- private:
-  /// The box that its fish may reach, and the grid in it.
-  Clearance clearance_round(Vec3 home, const World& world) const {
-    const SwimParams& swim = params.swim;
-    double wide = 1.4 * swim.home + swim.roam + 0.8, high = 1.6 * swim.layer + 0.2 * swim.roam + 0.8;
-    Vec3 reach(wide, high, wide);
-    double cell = std::clamp(0.4 * params.fish.length, 0.03, 0.5);
-    cell = std::max(cell, std::cbrt(8 * wide * wide * high / kMostCells));
-    return clearance_of(world, home - reach, home + reach, static_cast<float>(cell));
-  }
-
-  Result<Specimen> swim_bed(const Bed& bed, const World& world) const {
+  Result<Specimen> grow_bed(const Bed& bed, const World& world) const override {
     const Place& place = bed.organism->place;
     Vec2 at = place.at.empty() ? place.center : place.at.front();
     SwimTask task;
@@ -149,6 +117,20 @@ class School final : public Described<SchoolParams, Grower> {
         return model;
       };
     return specimen;
+  }
+  Result<Model> grow_copy(const Organism&, Seed) const override {
+    return Error{"", "a school swims; it cannot be sown"};
+  }
+
+ private:
+  /// The box that its fish may reach, and the grid in it.
+  Clearance clearance_round(Vec3 home, const World& world) const {
+    const SwimParams& swim = params.swim;
+    double wide = 1.4 * swim.home + swim.roam + 0.8, high = 1.6 * swim.layer + 0.2 * swim.roam + 0.8;
+    Vec3 reach(wide, high, wide);
+    double cell = std::clamp(0.4 * params.fish.length, 0.03, 0.5);
+    cell = std::max(cell, std::cbrt(8 * wide * wide * high / kMostCells));
+    return clearance_of(world, home - reach, home + reach, static_cast<float>(cell));
   }
 };
 

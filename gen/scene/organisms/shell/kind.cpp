@@ -92,8 +92,12 @@ class ShellGrower final : public Described<ShellParams, ColonyGrower> {
                                                   "translation", "aspect",       "whorls",     "ribs/count",
                                                   "ribs/height", "look/pattern", "look/color", "look/second"};
 
-  bool stands_on_rock() const override { return false; }
-  Errors check() const override {
+  GrowerTraits traits() const override {
+    return colony({.stands_on_rock = false,
+                   .rebuilt = moves() ? Rebuilt::in_films : Rebuilt::never,
+                   .tallest = params.size});
+  }
+  Review review() const override {
     Errors errors;
     if (!params.coiled() && params.whorls >= 0.5)
       errors.push_back({"/whorls", fmt::format("found a valve of {} whorls; expected less than half of one",
@@ -107,7 +111,7 @@ class ShellGrower final : public Described<ShellParams, ColonyGrower> {
       errors.push_back({"/edge", "lies on the axis; expected a point beside it"});
     if (params.mantle && params.form != ShellForm::bivalve)
       errors.push_back({"/mantle", "needs the two valves of \"form\": \"bivalve\""});
-    return errors;
+    return {errors};
   }
   std::shared_ptr<const Grower> coarse(double share) const override {
     return changed(*this,
@@ -120,8 +124,6 @@ class ShellGrower final : public Described<ShellParams, ColonyGrower> {
     sight.blocks = params.mantle ? 2 : 1;
     return sight;
   }
-  double tallest() const override { return params.size; }
-  bool branches() const override { return false; }
   Dress dress() const override {
     Dress dress;
     dress.look.pictures.push_back(shell_drawing_of(params));
@@ -134,7 +136,6 @@ class ShellGrower final : public Described<ShellParams, ColonyGrower> {
     if (!params.mantle) return std::nullopt;
     return Spread{static_cast<float>(0.6 * params.size), static_cast<float>(params.size)};
   }
-  bool develops(bool filmed) const override { return filmed && moves(); }
   std::function<Result<Model>(double)> develop(const Motion& motion, Seed seed) const override {
     if (!moves()) return {};
     return [params = params, growth = motion.growth, seed](double time) -> Result<Model> {

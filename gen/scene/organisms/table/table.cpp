@@ -172,7 +172,7 @@ class TableGrower final : public BodyColony<TableParams> {
   static constexpr std::string_view kLeading[] = {"across",    "height",    "stalk",   "lobes",
                                                   "thickness", "branchlet", "spacing", "tissue/color"};
 
-  Errors check() const override { return check_edge(params.edge, params.across, 10); }
+  Review review() const override { return {check_edge(params.edge, params.across, 10)}; }
   std::shared_ptr<const Grower> coarse(double share) const override {
     return longer_edges(*this, share, [](auto& p) -> double& { return p.edge; });
   }

@@ -47,7 +47,7 @@ void hurry(TreeParams& tree, double share) {
 }
 
 /// Trees of a scene grow together, in one light.
-class TreeGrower final : public Described<TreeParams, Grower> {
+class TreeGrower final : public Described<TreeParams, Grower>, public Perennial {
  public:
   static constexpr std::string_view kLeading[] = {"years",
                                                   "habit/height",
@@ -64,34 +64,27 @@ class TreeGrower final : public Described<TreeParams, Grower> {
                                                   "leaves/colors",
                                                   "bark/kind"};
 
-  GrowthStage stage() const override { return GrowthStage::in_light; }
-  bool stands_on_rock() const override { return true; }
-  Errors check() const override {
-    if (Errors errors = check_guide(params.guide); !errors.empty()) return errors;
-    if (axes_of(*axes_of_guide(params.guide)).size() > 1)
-      return {{"/guide", "forks; expected one line: the stem of a tree that grows for light has one"}};
-    return check_pictures(params.coat, params.leaves.picture, "/leaves/picture/pixels");
+  GrowerTraits traits() const override {
+    const bool grows = params.growth.duration > 0;
+    return {.stage = GrowthStage::in_light,
+            .branches = true,
+            .rebuilt = params.season ? Rebuilt::always
+                       : grows       ? Rebuilt::in_films
+                                     : Rebuilt::never,
+            .tallest = params.species.height,
+            .sunk = 0.3f,
+            .sunk_most = 0,
+            .faults_together = too_much_light};
   }
-  Errors doubts() const override { return {}; }
+  const Perennial* perennial() const override { return this; }
+  Review review() const override {
+    if (Errors errors = check_guide(params.guide); !errors.empty()) return {errors};
+    if (axes_of(*axes_of_guide(params.guide)).size() > 1)
+      return {{{"/guide", "forks; expected one line: the stem of a tree that grows for light has one"}}};
+    return {check_pictures(params.coat, params.leaves.picture, "/leaves/picture/pixels")};
+  }
   std::shared_ptr<const Grower> coarse(double share) const override {
     return changed(*this, [&](TreeParams& tree) { hurry(tree, share); });
-  }
-  /// The field of light of all of them together may be too large.
-  Errors check_together(std::span<const Organism* const> all, double relief) const override {
-    double reach = 0, low = 0, high = 0;
-    for (const Organism* o : all) {
-      double tall = o->grower->tallest() * (1 + o->place.size_variation);
-      reach = std::max(reach, reach_of(*o) + tall / 2);
-      low = std::min(low, o->place.raise), high = std::max(high, o->place.raise + tall);
-    }
-    high += relief;
-    double voxel = params.light.voxel;
-    double tiles = std::pow(2 * reach / (16 * voxel), 2) * (high - low) / voxel;
-    if (tiles <= kMostLightCells) return {};
-    return {{"/light/voxel",
-             fmt::format("cells of {:g} m are too many for light {:.3g} m wide and {:.3g} m high; expected "
-                         "{:.2g} m or more, or trees nearer to each other",
-                         voxel, 2 * reach, high - low, voxel * std::cbrt(tiles / kMostLightCells) * 1.05)}};
   }
   Result<SizeEstimate> estimate_size(Seed seed) const override {
     SizeEstimate tree;
@@ -108,8 +101,6 @@ class TreeGrower final : public Described<TreeParams, Grower> {
     tree.nodes_a_second = 1e7;  // those seconds are all
     return tree;
   }
-  double tallest() const override { return params.species.height; }
-  bool branches() const override { return true; }
   Dress dress() const override {
     Dress dress;
     dress.look.branches = {.bark = params.bark, .coat = params.coat};
@@ -121,10 +112,6 @@ class TreeGrower final : public Described<TreeParams, Grower> {
     dress.variation = params.bark.variation;
     return dress;
   }
-  bool lives_years() const override { return true; }
-  bool develops(bool filmed) const override {
-    return params.season || (params.growth.duration > 0 && filmed);
-  }
   std::optional<StormTime> storm_of(const Event& event) const override {
     const int cycles = cycles_of(params);
     double cycle = std::max(1.0, std::floor(cycle_at_age(params.species, event.year)));
@@ -133,9 +120,6 @@ class TreeGrower final : public Described<TreeParams, Grower> {
     return StormTime{params.growth.start + (cycle + kStormHeight) * seconds,
                      std::max(kShortestStorm, kStormHeight * seconds), storm_gust(params.wind, event.storm)};
   }
-  std::optional<Result<Grammar>> grammar() const override { return std::nullopt; }
-  const std::vector<std::string>* hosts() const override { return nullptr; }
-  std::optional<Spread> spread() const override { return std::nullopt; }
 
   std::vector<Result<Specimen>> grow(std::span<const Bed> beds, const World& world,
                                      const Step& step) const override {
@@ -211,11 +195,26 @@ class TreeGrower final : public Described<TreeParams, Grower> {
     if (grown.uprooting.time <= cycle) lay_down(model, tree_fall(params, grown, Heights()));
     return model;
   }
-  float copy_depth(const Model& model) const override {
-    return model.skeleton.size() == 0 ? 0 : 0.3f * model.skeleton.radius[0];
-  }
 
  private:
+  /// The field of light of all of them together may be too large.
+  static Errors too_much_light(std::span<const Organism* const> all, double relief) {
+    double reach = 0, low = 0, high = 0;
+    for (const Organism* o : all) {
+      double tall = o->grower->traits().tallest * (1 + o->place.size_variation);
+      reach = std::max(reach, reach_of(*o) + tall / 2);
+      low = std::min(low, o->place.raise), high = std::max(high, o->place.raise + tall);
+    }
+    high += relief;
+    double voxel = grower_of<TreeGrower>(*all[0]).params.light.voxel;
+    double tiles = std::pow(2 * reach / (16 * voxel), 2) * (high - low) / voxel;
+    if (tiles <= kMostLightCells) return {};
+    return {{"/light/voxel",
+             fmt::format("cells of {:g} m are too many for light {:.3g} m wide and {:.3g} m high; expected "
+                         "{:.2g} m or more, or trees nearer to each other",
+                         voxel, 2 * reach, high - low, voxel * std::cbrt(tiles / kMostLightCells) * 1.05)}};
+  }
+
   /// One that grew up among others at the distance that the sowing says.
   Grove grow_crowded(const Organism& organism, Seed seed) const {
     double crowd = organism.sown->crowd, age = age_of(organism, seed, "age");

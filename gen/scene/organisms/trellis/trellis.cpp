@@ -81,12 +81,12 @@ class TrellisGrower final : public Described<TrellisParams, BodyBuilder> {
                                                   "wires", "lowest", "spacing",   "rays",
                                                   "color", "metal",  "weathering"};
 
-  Errors check() const override {
+  Review review() const override {
     const TrellisShape& s = params.shape;
     double parts = s.form == TrellisForm::lattice ? (s.width + s.height) / s.spacing : 0;
     if (parts > 5000)
       return {
-          {"/spacing", "would take more than 5000 laths; expected a larger spacing or a smaller trellis"}};
+          {{"/spacing", "would take more than 5000 laths; expected a larger spacing or a smaller trellis"}}};
     return {};
   }
   Result<SizeEstimate> estimate_size(Seed) const override {

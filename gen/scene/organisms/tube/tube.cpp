@@ -98,7 +98,7 @@ class TubeGrower final : public BodyColony<TubeParams> {
   static constexpr std::string_view kLeading[] = {"form", "across", "height", "tubes", "radius",
                                                   "wall", "bulge",  "lumps",  "ribs",  "tissue/color"};
 
-  Errors check() const override { return check_edge(params.edge, params.radius, 1); }
+  Review review() const override { return {check_edge(params.edge, params.radius, 1)}; }
   std::shared_ptr<const Grower> coarse(double share) const override {
     return longer_edges(*this, share, [](auto& p) -> double& { return p.edge; });
   }

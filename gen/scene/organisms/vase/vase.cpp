@@ -130,9 +130,9 @@ class VaseGrower final : public Described<VaseParams, BodyBuilder> {
                                                   "foot",    "sides",  "rings",   "material",
                                                   "color",   "second", "crackle", "gloss"};
 
-  Errors check() const override {
+  Review review() const override {
     Result<VesselProfile> profile = vessel_profile(params.shape);
-    return profile ? Errors{} : profile.errors();
+    return {profile ? Errors{} : profile.errors()};
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
     SizeEstimate vase;

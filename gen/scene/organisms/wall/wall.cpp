@@ -163,7 +163,7 @@ class WallGrower final : public Described<WallParams, BodyBuilder> {
                                                   "coping", "ruin",   "wear",      "weathering",
                                                   "bricks", "mortar", "paint"};
 
-  Errors check() const override { return {}; }
+  Review review() const override { return {}; }
   Result<SizeEstimate> estimate_size(Seed) const override {
     const WallShape& w = params.shape;
     SizeEstimate wall;

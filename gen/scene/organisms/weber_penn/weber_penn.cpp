@@ -177,10 +177,16 @@ class WeberPennGrower final : public Described<WeberPennParams, LoneGrower> {
       "tree/branches", "tree/twigs",    "tree/leaves",    "tree/leaf_scale", "tree/attraction_up",
       "leaves/shape",  "leaves/colors", "bark/kind"};
 
-  Errors check() const override {
-    if (Errors errors = check_guide(params.guide); !errors.empty()) return errors;
-    if (estimate_nodes(params.tree) < kMostNodes) return check_pictures(params.dress);
-    return {{"", "the tree would have more than 4000000 nodes; fewer branches, splits or segments"}};
+  GrowerTraits traits() const override {
+    return {.stage = GrowthStage::round_bodies,
+            .branches = true,
+            .rebuilt = params.dress.season ? Rebuilt::always : Rebuilt::never,
+            .tallest = 1.2 * (params.tree.scale + params.tree.scale_v)};
+  }
+  Review review() const override {
+    if (Errors errors = check_guide(params.guide); !errors.empty()) return {errors};
+    if (estimate_nodes(params.tree) < kMostNodes) return {check_pictures(params.dress)};
+    return {{{"", "the tree would have more than 4000000 nodes; fewer branches, splits or segments"}}};
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
     const WeberPenn& form = params.tree;
@@ -191,22 +197,16 @@ class WeberPennGrower final : public Described<WeberPennParams, LoneGrower> {
     tree.parts = tree.organs;
     return tree;
   }
-  double tallest() const override { return 1.2 * (params.tree.scale + params.tree.scale_v); }
-  bool branches() const override { return true; }
   Dress dress() const override {
     Dress dress = dress_of(params.dress, params.tree.leaves != 0);
     dress.look.branches.lobes = params.tree.lobes;
     dress.look.branches.lobe_depth = params.tree.lobe_depth;
     return dress;
   }
-  bool develops(bool) const override { return params.dress.season.has_value(); }
-  std::optional<Result<Grammar>> grammar() const override { return std::nullopt; }
-  GrowthStage stage() const override { return GrowthStage::round_bodies; }
   Result<Model> grow_alone(Seed seed) const override { return grow_weber_penn_tree(params, seed); }
   Result<Model> grow_round(const Detour& detour, Seed seed) const override {
     return grow_weber_penn_tree(params, seed, detour);
   }
-  std::function<Result<Model>(double)> develop(const Motion&, Seed) const override { return {}; }
 };
 
 }  // namespace
