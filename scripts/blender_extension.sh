@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The extension for Blender as a zip: the manifest and the modules of gen/apps/blender, the same bytes each time.
+# The extension for Blender as a zip: the manifest, the licence and the modules of gen/apps/blender, the same bytes each time.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 . "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
@@ -27,7 +27,7 @@ import zipfile
 
 folder, out = map(pathlib.Path, sys.argv[1:])
 with zipfile.ZipFile(out, "w") as archive:
-    for file in sorted([folder / "blender_manifest.toml", *folder.glob("*.py")]):
+    for file in sorted([folder / "LICENSE", folder / "blender_manifest.toml", *folder.glob("*.py")]):
         entry = zipfile.ZipInfo(file.name, (1980, 1, 1, 0, 0, 0))
         entry.external_attr = 0o644 << 16
         archive.writestr(entry, file.read_bytes(), zipfile.ZIP_DEFLATED, 9)

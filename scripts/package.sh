@@ -31,7 +31,7 @@ out=$(cd -- "$out" && pwd)
 "$root/scripts/build.sh" packaged
 cd -- "$root"
 # Times within packages are those of the commit.
-SOURCE_DATE_EPOCH=$(git log -1 --format=%ct 2>/dev/null || date +%s)
+SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || date +%s)}
 export SOURCE_DATE_EPOCH
 cd build
 cpack -G DEB -B "$out" >cpack.log 2>&1 || fail 1 "cpack made no packages; its words are in $root/build/cpack.log"

@@ -13,6 +13,8 @@ test_packages=(libgtest-dev libvalijson-dev libbenchmark-dev libtinyobjloader-de
 node_packages=()
 command -v node >/dev/null || node_packages+=(nodejs)
 command -v npm >/dev/null || node_packages+=(npm)
+# Debian's take what they trust from there, and only recommend it.
+if ((${#node_packages[@]} > 0)); then node_packages+=(ca-certificates); fi
 large_packages=(blender python3-numpy chromium emscripten slurmctld slurmd slurm-client parallel openssh-client openssh-server
   pybind11-dev python3-dev python3-pip python3-wheel python3-matplotlib python3-nbformat mypy)
 

@@ -106,6 +106,17 @@ SH
   xargs ls <"$BATS_TEST_TMPDIR/shown" >/dev/null
 }
 
+@test "README.md is short, and what README.md and docs link to is there" {
+  cd "$ROOT"
+  [ "$(grep -c '' README.md)" -le 120 ]
+  local page link
+  for page in README.md CONTRIBUTING.md CHANGELOG.md docs/*.md; do
+    for link in $(sed '/^    /d' "$page" | grep -oE '\]\([^) ]+\)' | sed 's/^](//; s/)$//; s/#.*//' | grep -vE '^[a-z]+:' | sort -u); do
+      [ -e "$(dirname "$page")/$link" ] || { echo "$page: $link" && return 1; }
+    done
+  done
+}
+
 @test "large pictures of the gallery are those of its list" {
   run "$ROOT/scripts/gallery.sh" --large vases
   [ "$status" -eq 2 ]

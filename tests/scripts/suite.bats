@@ -62,3 +62,22 @@ TEXT
   grep -qxF 'ctest --preset release -j 2 --no-tests=error -LE ^long$|slow -R x' "$calls"
   grep -qxF 'ctest --preset asan -j 2 --no-tests=ignore -R x' "$calls"
 }
+
+@test "the workflow runs what README.md says, makes packages and tries them" {
+  workflow=$ROOT/.github/workflows/ci.yml
+  while read -r command; do
+    echo "$command"
+    grep -qF "    $command" "$ROOT/README.md"
+    grep -qxF "      - run: $command" "$workflow"
+  done <<'COMMANDS'
+scripts/test.sh
+scripts/render.sh presets/reef.json
+COMMANDS
+  grep -qF -- "- run: scripts/package.sh" "$workflow"
+  grep -qF -- "- run: tests/package_test.sh --apt out/packages" "$workflow"
+  # All that it calls is there.
+  for script in $(grep -oE '(scripts|tests)/[a-z_]+\.sh' "$workflow" "$ROOT/Containerfile" -h | sort -u); do
+    echo "$script"
+    [ -x "$ROOT/$script" ]
+  done
+}

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Frond in Blender: presets of plants and corals in the sidebar of the 3D view, grown by the program frond.
 
 From scripts: `grow("presets/trees/oak.json", {"/organisms/0/years": 20})`; in Blender 4.2 and later this module is

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Growing in the background: one `frond export` at a time, which a timer of Blender's looks after.
 
 `ask` has a root grown after a pause, so that a slider that is drawn grows once; `tick` is the timer. No threads.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The tab Frond of the 3D view's sidebar, its operators, and the add-on's preferences."""
 import os
 import subprocess

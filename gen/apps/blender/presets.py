@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Presets as files: the program, the folders that hold them, their pictures, and what counts for an organism of one.
 
 Nothing here knows Blender. A pointer is a JSON pointer into a preset, as in /organisms/0/height.

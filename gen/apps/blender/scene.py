@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What grew as objects: a root, and below it the nodes of the .glb that the program wrote.
 
 When it has grown again, objects stay and get new meshes. Each remembers, as properties of its own, its name in the file, where it stood

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Properties of Blender's own, made of what `frond describe --json` tells: for each kind of organism a group, at `object.frond_<kind>`.
 
 They hold nothing: what they show is the preset with the root's changes, and what is set is recorded there. A property's name is its

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What a root remembers: an empty object whose `frond` holds the preset and the values that were changed.
 
 What grew is below it, in a collection of its own. `changes` is JSON of values by pointer, as `frond export --set` takes them.

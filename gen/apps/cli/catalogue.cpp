@@ -20,7 +20,7 @@
 #include "scene/scene.h"
 #include "settings/settings.h"
 
-// What there is and how large it is: check, info, list, schema.
+// What there is and how large it is: info, list, schema.
 
 namespace frond {
 
@@ -67,25 +67,6 @@ std::string sizes_json(const std::vector<GrownSize>& sizes) {
 }
 
 }  // namespace
-
-int check(const std::vector<std::string>& paths, const PresetArguments& common) {
-  int result = kDone;
-  for (const std::string& path : paths) {
-    PresetArguments named = common;
-    named.path = path;
-    if (std::error_code error; fs::exists(path, error) && is_grammar(path)) {
-      if (int code = check_grammar(named); code != kDone) result = code;
-      continue;
-    }
-    Result<Preset> preset = load_preset(named);
-    if (preset) {
-      tell_notes(preset->notes);
-    } else {
-      result = fail(preset.errors(), kWrongInput);
-    }
-  }
-  return result;
-}
 
 int info(const InfoArguments& to) {
   const PresetArguments& arguments = to.preset;

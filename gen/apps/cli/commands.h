@@ -258,8 +258,6 @@ int draw_ink(const DrawArguments& arguments);
 int develop_picture(const DevelopArguments& arguments);
 int export_scene(const ExportArguments& arguments);
 int export_include(const ExportArguments& arguments);
-/// `common` is what is set of all of them; its path is empty.
-int check(const std::vector<std::string>& paths, const PresetArguments& common);
 int info(const InfoArguments& arguments);
 int list_files(const PresetArguments& arguments);
 int farm(const FarmArguments& arguments);

@@ -14,6 +14,7 @@
 #include "core/home.h"
 #include "core/text.h"
 #include "grammar/kind.h"
+#include "jobs/escape.h"
 #include "preset/json.h"
 #include "preset/range_text.h"
 #include "resolve/resolve.h"
@@ -122,6 +123,21 @@ Result<Assets> assets_of(const std::string& path, const std::optional<std::strin
   return Assets(path, *only);
 }
 
+Result<Upgrade> upgraded(const std::string& path, const std::optional<std::string>& assets) {
+  Result<std::string> text = read_file(path);
+  if (!text) return text.errors();
+  Result<Assets> files = assets_of(path, assets);
+  if (!files) return files.errors();
+  return upgrade_preset(*text, path, [&](const std::string& name) { return files->read(name).ok(); });
+}
+
+Errors old_form(const std::string& path, const std::optional<std::string>& assets) {
+  Result<Upgrade> today = upgraded(path, assets);
+  if (!today || today->changes.empty()) return {};
+  return {{path, fmt::format("is of an earlier version; `frond check --upgrade {}` carries it over",
+                             shell_quoted(path))}};
+}
+
 Result<Preset> load_preset(const PresetArguments& arguments) {
   now_doing("reading the preset");
   Result<std::string> text = read_file(arguments.path);
@@ -165,7 +181,12 @@ Result<Preset> load_preset(const PresetArguments& arguments) {
     sets.push_back(*size);
     preset = read_preset(*text, arguments.path, sets, *only);
   }
-  if (!preset) return preset;
+  if (!preset) {
+    Errors errors = preset.errors();
+    Errors old = old_form(arguments.path, arguments.assets);
+    errors.insert(errors.end(), old.begin(), old.end());
+    return errors;
+  }
   if (Errors errors = set_pictures(arguments, preset->film); !errors.empty()) return errors;
   return preset;
 }

@@ -9,6 +9,7 @@
 #include "pipeline/frame_range.h"
 #include "pipeline/pass_picture.h"
 #include "scene/preset.h"
+#include "scene/upgrade.h"
 
 namespace frond {
 
@@ -25,6 +26,12 @@ std::string nearest_presets(const std::string& path);
 
 /// Reads the preset that the command line names, with its overrides.
 Result<Preset> load_preset(const PresetArguments& arguments);
+
+/// What of a preset's file has another form today; `assets` is `--assets`.
+Result<Upgrade> upgraded(const std::string& path, const std::optional<std::string>& assets);
+
+/// A word about a preset of an earlier version, and what carries it over; empty where it is none.
+Errors old_form(const std::string& path, const std::optional<std::string>& assets);
 
 /// The files that a preset or a grammar of that path may name; `named` is `--assets`.
 Result<Assets> assets_of(const std::string& path, const std::optional<std::string>& named);

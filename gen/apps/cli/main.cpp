@@ -7,6 +7,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "cli/check.h"
 #include "cli/command_groups.h"
 #include "cli/commands.h"
 #include "cli/completion.h"
@@ -16,8 +17,8 @@
 #include "cli/named.h"
 #include "cli/rendering.h"
 #include "cli/streams.h"
+#include "cli/versions.h"
 #include "cli/words.h"
-#include "core/version.h"
 
 using namespace frond;
 
@@ -170,21 +171,6 @@ void add_export(CLI::App& app, int& result) {
   command->callback([&result, to] { result = export_scene(*to); });
 }
 
-void add_check(CLI::App& app, int& result) {
-  auto paths = std::make_shared<std::vector<std::string>>();
-  auto* command = app.add_subcommand("check", "Tells what is wrong in presets");
-  auto common = std::make_shared<PresetArguments>();
-  command->add_option("presets", *paths, "JSON files, or names of Frond's presets")
-      ->required()
-      ->transform(named_by(&preset_named));
-  add_sets(command, common->sets);
-  add_assets(command, common->assets);
-  command->footer(
-      "A grammar is checked as one.\n\nExamples:\n  frond check presets/*.json\n"
-      "  frond check presets/reef.json --set /film/fps=12");
-  command->callback([&result, paths, common] { result = check(*paths, *common); });
-}
-
 void add_info(CLI::App& app, int& result) {
   auto to = std::make_shared<InfoArguments>();
   auto* command =
@@ -335,7 +321,7 @@ void add_studio(CLI::App& app, int& result) {
 int run(int count, char** words) {
   CLI::App app{"Grows plants and corals from JSON presets and writes scenes that POV-Ray films."};
   app.require_subcommand(0, 1);
-  app.set_version_flag("--version", version());
+  app.set_version_flag("--version", versions, "The versions of Frond, of its libraries and of POV-Ray");
   app.footer(
       "FROND_HOME is the folder that holds templates/, povinc/ and presets/, where that is not the one that "
       "the "

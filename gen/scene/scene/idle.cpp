@@ -18,9 +18,6 @@ namespace {
 constexpr std::string_view kScatter[] = {"center", "inner", "radius", "spacing", "rock"};
 constexpr std::string_view kStance[] = {"size_variation", "turn", "turn_variation", "each", "lean"};
 
-/// An angle that is given as so few degrees was meant as radians.
-constexpr double kRadians = 1.5;
-
 /// Whether a setting reads a property below the scene, by itself or as a part of its block.
 bool reads(const SettingRow& setting, std::string_view pointer) {
   return std::ranges::any_of(setting.answers.reads, [&](std::string_view own) {
