@@ -204,11 +204,12 @@ class LoneGrower : public Grower {
  public:
   /// Grows one, upright, its foot at the origin.
   virtual Result<Model> grow_alone(Seed seed) const = 0;
-  /// The same at its place; the shape differs only if the kind takes its surroundings into account.
+  /// Grows one at its place; the shape differs from that of grow_alone() only if the kind takes its
+  /// surroundings into account.
   virtual Result<Model> grow_standing(const World&, const Planting&, const Placement&, Seed seed) const {
     return grow_alone(seed);
   }
-  /// The same round what stands in the way, upright, its foot at the origin; for the stage round_bodies.
+  /// Grows one, upright, its foot at the origin, round the bodies of a detour; for the stage round_bodies.
   virtual Result<Model> grow_round(const Detour&, Seed seed) const { return grow_alone(seed); }
   /// The shape at a time of a film, fully revealed, see Life; empty: growth is only revealed.
   virtual std::function<Result<Model>(double)> develop(const Motion& /*motion*/, Seed) const { return {}; }
@@ -247,15 +248,16 @@ std::shared_ptr<const Grower> changed(const Mine& grower, Change change) {
   return other->review().faults.empty() ? other : nullptr;
 }
 
-/// The same with triangle edges longer so that about `share` of the triangles are left, at least 1/16.
+/// A copy of a grower whose triangles have edges so much longer that about `share` of them are left, at least
+/// 1/16.
 template <class Mine>
 std::shared_ptr<const Grower> longer_edges(const Mine& grower, double share,
                                            double& (*edge)(decltype(grower.params)&)) {
   return changed(grower, [&](auto& params) { edge(params) /= std::sqrt(std::clamp(share, 1. / 16, 1.)); });
 }
 
-/// The same with fewer derivation steps, and at most `share` of the nodes if possible. `word_size` estimates
-/// a plant with some parameters by its grammar's word alone.
+/// A copy of a grower with fewer derivation steps, and at most `share` of the nodes if possible. `word_size`
+/// estimates a plant with some parameters by its grammar's word alone.
 template <class Mine, class Params>
 std::shared_ptr<const Grower> fewer_steps(const Mine& grower, double share, int& (*steps)(Params&),
                                           Result<SizeEstimate> (*word_size)(const Params&, Seed)) {

@@ -82,7 +82,8 @@ class ColonizedGrower final : public Described<ColonizedParams, LoneGrower> {
     return {.stage = GrowthStage::round_bodies,
             .branches = true,
             .rebuilt = params.dress.season ? Rebuilt::always : Rebuilt::never,
-            .tallest = params.envelope.base + params.envelope.height};
+            .tallest = params.envelope.base + params.envelope.height,
+            .sunk = params.guide.empty() ? 1.0f : 0.0f};  // whose places are given stands where they say
   }
   Review review() const override {
     Errors errors = check_colonized(params);

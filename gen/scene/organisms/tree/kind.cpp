@@ -31,7 +31,7 @@ Filming filming_of(const Growth& growth, int cycles, double time) {
   return filming;
 }
 
-/// The same tree in fewer cycles of growth, each of which adds as much more: as tall and of the same habit,
+/// Lets a tree grow in fewer cycles, each of which adds as much more: it is as tall and of the same habit,
 /// with about `share` of its twigs.
 void hurry(TreeParams& tree, double share) {
   constexpr double kTwigsByCycles = 2.3;  // twigs grow as the cycles to this power

@@ -181,7 +181,8 @@ class WeberPennGrower final : public Described<WeberPennParams, LoneGrower> {
     return {.stage = GrowthStage::round_bodies,
             .branches = true,
             .rebuilt = params.dress.season ? Rebuilt::always : Rebuilt::never,
-            .tallest = 1.2 * (params.tree.scale + params.tree.scale_v)};
+            .tallest = 1.2 * (params.tree.scale + params.tree.scale_v),
+            .sunk = params.guide.empty() ? 1.0f : 0.0f};  // whose places are given stands where they say
   }
   Review review() const override {
     if (Errors errors = check_guide(params.guide); !errors.empty()) return {errors};
