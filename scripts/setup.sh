@@ -74,7 +74,7 @@ build_page() {
     return 0
   fi
   say "Building the page of the studio"
-  npm --prefix "$page" run --silent build >/dev/null || fail 1 "the page could not be built: npm --prefix $page run build"
+  npm --prefix "$page" run --silent build >/dev/null || fail 1 "the page could not be built by node $(node --version), it takes 20.19 or later, which Debian 12 has not: npm --prefix $page run build"
 }
 
 from_npm() {
