@@ -18,8 +18,9 @@ import tempfile
 
 FROND, ROOT, WHAT = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve(), sys.argv[3]
 ONLY = sys.argv[4:]
-NOT_RUN = ("scripts/setup.sh", "scripts/build.sh", "scripts/test.sh", "scripts/farm.sh", "scripts/blender_extension.sh", "cmake", "ninja",
-           "git", "cd")
+NOT_RUN = ("scripts/setup.sh", "scripts/build.sh", "scripts/test.sh", "scripts/farm.sh", "scripts/blender_extension.sh", "scripts/gallery_pages.py",
+           "scripts/package.sh",
+           "cmake", "ninja", "git", "cd")
 SMALL_TREES = ["--set", "/organisms/0/years=5"]
 
 

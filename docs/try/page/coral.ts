@@ -125,11 +125,14 @@ async function draw(): Promise<void> {
   wanted = true;
   if (busy) return;
   busy = true;
-  while (wanted) {
-    wanted = false;
-    await drawOnce();
+  try {
+    while (wanted) {
+      wanted = false;
+      await drawOnce();
+    }
+  } finally {
+    busy = false;
   }
-  busy = false;
 }
 /** Once nothing is changed any more, all of it. */
 const settle = quiet(450, () => {

@@ -146,11 +146,14 @@ async function draw(): Promise<void> {
   wanted = true;
   if (busy) return;
   busy = true;
-  while (wanted) {
-    wanted = false;
-    await drawOnce();
+  try {
+    while (wanted) {
+      wanted = false;
+      await drawOnce();
+    }
+  } finally {
+    busy = false;
   }
-  busy = false;
   void showWord();
 }
 
