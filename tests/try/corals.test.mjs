@@ -150,6 +150,8 @@ test('presets of all three are handed to the program', async () => {
     assert.equal(done.stderr, '', name);
     return bytes.toString();
   };
+  await page.goto(`${address}#coral=staghorn`);
+  await page.getByTestId('coral-steps').fill('3');
   assert.match(await hand('coral', 'my_staghorn'), /"steps": 3/);
   for (const species of await page.getByTestId('coral').locator('option').evaluateAll(all => all.slice(0, 6).map(one => one.value))) {
     await page.getByTestId('coral').selectOption(species);
@@ -160,6 +162,7 @@ test('presets of all three are handed to the program', async () => {
   assert.equal(tree.seed, 5);
   assert.equal(tree.organisms[0].years, 9);
   assert.equal(tree.organisms[0].season.at, 0.8);
+  assert.deepEqual(tree.scene.camera.fit, ['all']);
   await page.goto(address);
   for (const grammar of ['bush', 'koch_island', 'plant_d', 'palm', 'hilbert_3d', 'crocus', 'tropism_b']) {
     await page.getByTestId('example').selectOption(grammar);

@@ -36,7 +36,7 @@ function fromLine(line: string): Rule {
 const filled = (text: string): number[] => text.split("\n").flatMap((line, i) => (line.trim() ? [i + 1] : []));
 
 /** A value on one line, with spaces as people write them. */
-function spaced(value: unknown): string {
+export function spaced(value: unknown): string {
   if (Array.isArray(value)) return `[${value.map(spaced).join(", ")}]`;
   if (value === null || typeof value !== "object") return JSON.stringify(value);
   return `{${Object.entries(value).map(([name, inner]) => `${JSON.stringify(name)}: ${spaced(inner)}`).join(", ")}}`;

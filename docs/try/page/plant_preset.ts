@@ -1,6 +1,6 @@
 /** A preset of one plant that grows by a grammar, in soft light before a wall, as `frond import` writes them. */
 
-import { textOf, type Form } from "./form";
+import { spaced, textOf, type Form } from "./form";
 import { COLORS, type Shapes } from "./shapes";
 
 const ANGLE = 32; // degrees, what the camera sees across
@@ -19,7 +19,7 @@ export function plantPreset(form: Form, title: string, shapes: Shapes | null): s
   } catch {
     // It is being typed; the program says what is wrong.
   }
-  const lines = (members: [string, unknown][]): string => members.map(([name, value]) => `      ${JSON.stringify(name)}: ${JSON.stringify(value)},\n`).join("");
+  const lines = (members: [string, unknown][]): string => members.map(([name, value]) => `      ${JSON.stringify(name)}: ${spaced(value)},\n`).join("");
   return `{
   "title": ${JSON.stringify(title)},
   "version": 2,
@@ -27,7 +27,7 @@ export function plantPreset(form: Form, title: string, shapes: Shapes | null): s
   "film": {"frames": 1, "size": [640, 640], "quality": "good"},
   "scene": {
     "setting": "studio",
-    "camera": {"location": ${JSON.stringify([0, digits(middle), 3])}, "look_at": ${JSON.stringify([0, digits(middle), 0])}, "angle": ${ANGLE}, "fit": ["plant"], "margin": 0.1},
+    "camera": {"location": ${spaced([0, digits(middle), 3])}, "look_at": ${spaced([0, digits(middle), 0])}, "angle": ${ANGLE}, "fit": ["plant"], "margin": 0.1},
     "studio": {"wall": "#dfe3e0", "distance": ${digits(1.2 + deep * scale)}}
   },
   "organisms": [

@@ -154,8 +154,10 @@ function show(next: Choice): void {
 const fileName = (): string => `my_${choice.species}`;
 /** The preset of the species, of that age and seed at that time of the year. */
 function presetText(): string {
-  const { text } = species.get(choice.species)!;
-  const aged = setAt(setAt(removeAt(text, ["$schema"]), ["seed"], choice.seed), ["organisms", 0, "years"], choice.years);
+  const { text, years: usual } = species.get(choice.species)!;
+  let aged = setAt(setAt(removeAt(text, ["$schema"]), ["seed"], choice.seed), ["organisms", 0, "years"], choice.years);
+  // Its camera looks at a tree of the usual age.
+  if (choice.years !== usual) aged = setAt(aged, ["scene", "camera", "fit"], ["all"]);
   return choice.time === 0.5 && !/"season":/.test(text) ? aged : setAt(aged, ["organisms", 0, "season", "at"], choice.time);
 }
 const handed = handing("tree", () => ({ name: fileName(), text: presetText() }));
