@@ -15,18 +15,20 @@ command -v node >/dev/null || node_packages+=(nodejs)
 command -v npm >/dev/null || node_packages+=(npm)
 # Debian's take what they trust from there, and only recommend it.
 if ((${#node_packages[@]} > 0)); then node_packages+=(ca-certificates); fi
-large_packages=(blender python3-numpy chromium emscripten slurmctld slurmd slurm-client parallel openssh-client openssh-server
+try_packages=(emscripten)
+large_packages=(blender python3-numpy chromium slurmctld slurmd slurm-client parallel openssh-client openssh-server
   pybind11-dev python3-dev python3-pip python3-wheel python3-matplotlib python3-nbformat mypy)
 
 usage() {
   cat <<TEXT
-Usage: scripts/setup.sh [--tests] [--studio] [--all] [--quiet]
+Usage: scripts/setup.sh [--tests] [--studio] [--try] [--all] [--quiet]
 
 Installs the Debian packages that are missing, as root or through sudo. Where nothing is missing it does nothing
 and needs neither root nor network.
 
   --tests   also what scripts/test.sh needs
   --studio  also node and npm, and builds the page of \`frond studio\` with them; scripts/build.sh then takes it in
+  --try     also emscripten, node and npm, and builds the page of \`frond try\` with them, some ten minutes
   --all     also what scripts/test.sh --all needs: the page, Chromium, Blender, emscripten, pybind11, judges from
             npm in build/, and Slurm, GNU parallel and sshd, of which the tests start their own
   --quiet   one line only, and none where nothing is missing; apt's own words are shown if it fails
@@ -38,11 +40,12 @@ to test:   ${test_packages[*]}
 TEXT
 }
 
-tests='' studio='' all='' quiet=''
+tests='' studio='' try='' all='' quiet=''
 for argument in "$@"; do
   case $argument in
     --tests) tests=yes ;;
     --studio) studio=yes ;;
+    --try) try=yes ;;
     --all) tests=yes studio=yes all=yes ;;
     --quiet) quiet=yes ;;
     -h | --help) usage; exit 0 ;;
@@ -52,7 +55,8 @@ done
 
 packages=("${build_packages[@]}" "${run_packages[@]}")
 if [[ -n $tests ]]; then packages+=("${test_packages[@]}"); fi
-if [[ -n $studio ]]; then packages+=("${node_packages[@]}"); fi
+if [[ -n $studio$try ]]; then packages+=("${node_packages[@]}"); fi
+if [[ -n $try$all ]]; then packages+=("${try_packages[@]}"); fi
 if [[ -n $all ]]; then packages+=("${large_packages[@]}"); fi
 
 # npm_packages FROM TO: the pinned packages of a folder, where they are not there yet.
@@ -77,7 +81,20 @@ build_page() {
   npm --prefix "$page" run --silent build >/dev/null || fail 1 "the page could not be built by node $(node --version), it takes 20.19 or later, which Debian 12 has not: npm --prefix $page run build"
 }
 
+# The page to try things on, which takes the packages of the studio's; ninja makes anew what is older than its sources.
+build_try() {
+  local made=$root/build/try
+  npm_packages "$root/gen/apps/studio/page" "$root/gen/apps/studio/page"
+  mkdir -p -- "$made"
+  say "Building the page to try things on"
+  if ! { emcmake cmake -S "$root/docs/try" -B "$made" -G Ninja && cmake --build "$made"; } >"$made/build.log" 2>&1; then
+    tail -n 20 "$made/build.log" >&2
+    fail 1 "the page to try things on could not be built; the whole log is $made/build.log"
+  fi
+}
+
 from_npm() {
+  if [[ -n $try ]]; then build_try; fi
   if [[ -n $studio ]]; then build_page; fi
   if [[ -z $all ]]; then return 0; fi
   npm_packages "$root/tests/gltf" "$root/build/gltf"

@@ -24,7 +24,8 @@ KOCH = os.path.join(ROOT, "presets", "grammars", "koch_curve.json")
 WITHOUT_RESULT = {"--help", "--threads", "--quiet", "--out", "--assets"}
 # What commands are asked for that start other programs, or go on for long, is tested with them.
 ELSEWHERE = {"render", "sheet", "farm", "resolve", "gallery", "studio", "task", "frame", "film", "compare", "develop",
-             "confine", "check", "describe", "new", "import", "list", "schema", "completion", "man"}
+             "confine", "check", "describe", "new", "import", "list", "schema", "completion", "man",
+             "try"}
 
 SIZE = {"--size": "48x32", "--scale": "2", "--quality": "best", "--fps": "5", "--seconds": "0.3"}
 PRINT = {"--print": "1cm", "--transparent": None}

@@ -17,6 +17,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 
 set(CPACK_DEBIAN_FROND_PACKAGE_NAME frond)
 set(CPACK_DEBIAN_FROND_PACKAGE_DEPENDS "povray, ffmpeg, ninja-build")
+set(CPACK_DEBIAN_FROND_PACKAGE_RECOMMENDS xdg-utils)
 set(CPACK_DEBIAN_FROND_DESCRIPTION "grows plants and corals and films them with POV-Ray
 A person edits a JSON preset, calls one command and gets an animation: a reef
 that grows and sways, a forest whose trees fight for light, ivy that creeps

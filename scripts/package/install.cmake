@@ -9,6 +9,9 @@ install(DIRECTORY presets povinc templates DESTINATION ${share} COMPONENT frond)
 install(FILES scripts/povray.ini DESTINATION ${share}/scripts COMPONENT frond)
 install(PROGRAMS scripts/farm_task.sh DESTINATION ${share}/scripts COMPONENT frond)
 
+# The page of `frond try`, where it was built (scripts/setup.sh --try).
+install(DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/try/page/ DESTINATION ${share}/try COMPONENT frond OPTIONAL)
+
 # What the program says of itself, for man and for shells.
 set(told ${CMAKE_CURRENT_BINARY_DIR}/told)
 file(MAKE_DIRECTORY ${told})

@@ -125,3 +125,20 @@ pretend_npm='case $3 in ci) mkdir -p "$2/node_modules" ;; run) mkdir -p "$2/dist
   grep -q "install --no-install-recommends nodejs npm" "$APT_LOG"
   [ -s "$clone/build/gltf/node_modules/installed-lock.json" ]
 }
+
+@test "--try builds the page to try things on with emscripten, or says why it cannot" {
+  fresh_clone
+  fake npm "$pretend_npm"
+  fake cmake 'echo "cmake $*" >>"$APT_LOG"'
+  fake emcmake 'echo "$*" >>"$APT_LOG"'
+  MISSING=emscripten run "$clone/scripts/setup.sh" --try --quiet
+  echo "$output"
+  [ "$status" -eq 0 ]
+  grep -q "install --no-install-recommends emscripten" "$APT_LOG"
+  grep -qx "cmake -S $clone/docs/try -B $clone/build/try -G Ninja" "$APT_LOG"
+  grep -qx "cmake --build $clone/build/try" "$APT_LOG"
+  fake emcmake 'echo words of cmake; exit 1'
+  run "$clone/scripts/setup.sh" --try --quiet
+  [ "$status" -eq 1 ]
+  [[ $output == *"words of cmake"*"could not be built"* ]]
+}

@@ -1,6 +1,6 @@
-// The trees of the page to try grammars and trees on, opened from the disk, against the program.
+// The trees of the page to try things on, opened from the disk, against the program.
 //   node trees.test.mjs FROND PACKAGES PAGE FIGURES
-// PAGE is the folder of the built page, FIGURES the program of tree_figures.cpp; for the others see ../studio/studio.mjs.
+// PAGE is the folder of the built page, FIGURES the program of figures.cpp; for the others see ../studio/studio.mjs.
 import assert from 'node:assert/strict';
 import {spawnSync} from 'node:child_process';
 import fs from 'node:fs';

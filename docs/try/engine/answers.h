@@ -37,4 +37,8 @@ inline val failed(const Errors& errors) {
 
 inline void put(std::vector<float>& out, Vec3 v) { out.insert(out.end(), {v.x, v.y, v.z}); }
 
+inline void put_color(std::vector<float>& out, const Color& color) {
+  put(out, {color.red, color.green, color.blue});
+}
+
 }  // namespace frond

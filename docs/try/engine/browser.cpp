@@ -1,6 +1,7 @@
 #include "core/cancellation.h"
 #include "core/parallel.h"
 #include "geometry/obj.h"
+#include "images/describe_mask.h"
 #include "images/read_picture.h"
 
 // What the engine uses of other modules, as it is in a browser: one thread and no files.
@@ -21,6 +22,8 @@ void stay_wanted() {}  // the page ends its worker
 Result<LineSet> read_obj_lines(std::string_view, const std::string& name) {
   return Error{name, "no files are read here"};
 }
+
+Errors load_mask(const NamedFile&, Mask&) { return {{"", "no files are read here"}}; }
 
 Result<Raster> read_picture(std::string_view) { return Error{"", "no files are read here"}; }
 

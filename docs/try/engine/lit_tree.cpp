@@ -99,10 +99,6 @@ Color branch_color(const TreeParams& params, float radius) {
   return mixed(twig, mixed(bark.color, bark.second, 0.25f), smooth_step(0.7f * thin, 2 * thin, radius));
 }
 
-void put_color(std::vector<float>& out, const Color& color) {
-  put(out, {color.red, color.green, color.blue});
-}
-
 }  // namespace
 
 void make_few_triangles(Foliage& leaves) {

@@ -79,9 +79,10 @@ template <class Range, class Test>
 bool all_of(Range&& range, Test test) {
   return std::all_of(begin(range), end(range), test);
 }
-template <class Range, class Test>
-bool any_of(Range&& range, Test test) {
-  return std::any_of(begin(range), end(range), test);
+template <class Range, class Test, class Projection = identity>
+bool any_of(Range&& range, Test test, Projection projection = {}) {
+  return std::any_of(begin(range), end(range),
+                     [&](const auto& each) { return invoke(test, invoke(projection, each)); });
 }
 template <class Range, class Test>
 bool none_of(Range&& range, Test test) {
@@ -94,6 +95,24 @@ void replace(Range&& range, const Value& from, const Value& to) {
 template <class Range, class Test, class Value>
 void replace_if(Range&& range, Test test, const Value& to) {
   std::replace_if(begin(range), end(range), test, to);
+}
+template <class Range, class Value, class Order = std::less<>, class Projection = identity>
+auto lower_bound(Range&& range, const Value& value, Order order = {}, Projection projection = {}) {
+  return std::lower_bound(begin(range), end(range), value, [&](const auto& each, const Value& sought) {
+    return invoke(order, invoke(projection, each), sought);
+  });
+}
+template <class Range, class Value>
+void fill(Range&& range, const Value& value) {
+  std::fill(begin(range), end(range), value);
+}
+template <class Range, class Value>
+auto count(Range&& range, const Value& value) {
+  return std::count(begin(range), end(range), value);
+}
+template <class One, class Other, class Out>
+auto set_intersection(const One& one, const Other& other, Out to) {
+  return std::set_intersection(one.begin(), one.end(), other.begin(), other.end(), to);
 }
 template <class Range, class Value>
 auto upper_bound(Range&& range, const Value& value) {
@@ -133,9 +152,11 @@ template <class Range>
 auto max(const Range& range) {
   return *std::max_element(begin(range), end(range));
 }
-template <class Range>
-void sort(Range&& range) {
-  std::sort(begin(range), end(range));
+template <class Range, class Order = std::less<>, class Projection = identity>
+void sort(Range&& range, Order order = {}, Projection projection = {}) {
+  std::sort(begin(range), end(range), [&](const auto& a, const auto& b) {
+    return invoke(order, invoke(projection, a), invoke(projection, b));
+  });
 }
 template <class Range>
 void reverse(Range&& range) {

@@ -56,16 +56,42 @@ export interface Tree {
   stem: number;
 }
 
+/** A coral at one share of its growth. */
+export interface Coral {
+  errors: Fault[];
+  notes: Fault[];
+  /** Thirteen numbers each, as of a tree; the last is how open it is there. */
+  segments: Float32Array;
+  /** Vertices of its bodies, three numbers each: where they are; ridge (1) or hollow (0), youth and openness. */
+  places: Float32Array;
+  normals: Float32Array;
+  skin: Float32Array;
+  /** Of triangles. */
+  corners: Uint32Array;
+  /** As of a tree. */
+  ground: Float32Array;
+  groundHalf: number;
+  /** What its skin is wrought into, its colours (sRGB), and the width of a cup in metres. */
+  matter: "cups" | "valleys" | "sponge";
+  color: number[];
+  second: number[];
+  cup: number;
+  relief: number;
+  /** Metres, when it has grown. */
+  size: [number, number, number];
+}
+
 interface Answers {
   draw: Figure;
   tree: Tree;
+  coral: Coral;
   derive: Word;
   svg: Svg;
 }
 
 /** Milliseconds, once the engine has started. */
 const PATIENCE = 5000;
-const PATIENCE_WITH_TREES = 60_000;
+const PATIENCE_WITH_GROWTH = 60_000;
 /** Greatest number of modules and of segments of a grammar that has no limit of its own. */
 const MODULES = 300_000;
 
@@ -131,7 +157,7 @@ function call<Call extends keyof Answers>(...asked: [call: Call, words: unknown[
 }
 
 /** Calls a function of engine.cpp; one after the other. */
-export const engine = <Call extends Exclude<keyof Answers, "tree">>(name: Call, json: string, steps: number, modules = MODULES): Promise<Answers[Call]> =>
+export const engine = <Call extends Exclude<keyof Answers, "tree" | "coral">>(name: Call, json: string, steps: number, modules = MODULES): Promise<Answers[Call]> =>
   call(name, [json, steps, modules], PATIENCE, "use fewer steps");
 
 /** Greatest number of internodes that stand on a tree: with more it does not turn smoothly. */
@@ -139,4 +165,9 @@ export const INTERNODES = 150_000;
 
 /** The tree of a preset, which grows where it is not the one that was asked for before. Age in whole years; `time` of the year, 0..1. */
 export const treeOf = (json: string, seed: number, age: number, time: number): Promise<Tree> =>
-  call("tree", [json, seed, INTERNODES, age, time], PATIENCE_WITH_TREES, "choose another tree");
+  call("tree", [json, seed, INTERNODES, age, time], PATIENCE_WITH_GROWTH, "choose another tree");
+
+/** The coral of a preset of that name, in about `share` of the time, at `grown` of its growth, both 0..1. It grows where it is not the
+ *  one that was asked for before. */
+export const coralOf = (json: string, name: string, share: number, grown: number): Promise<Coral> =>
+  call("coral", [json, name, share, grown], PATIENCE_WITH_GROWTH, "make it smaller or its triangles larger");

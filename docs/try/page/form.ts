@@ -1,5 +1,7 @@
 /** A grammar as the page shows it: some properties in fields of their own, the others as JSON. */
 
+import { packed, unpacked } from "./savings";
+
 export interface Form {
   axiom: string;
   /** May be fractional. */
@@ -34,7 +36,7 @@ function fromLine(line: string): Rule {
 const filled = (text: string): number[] => text.split("\n").flatMap((line, i) => (line.trim() ? [i + 1] : []));
 
 /** A value on one line, with spaces as people write them. */
-function spaced(value: unknown): string {
+export function spaced(value: unknown): string {
   if (Array.isArray(value)) return `[${value.map(spaced).join(", ")}]`;
   if (value === null || typeof value !== "object") return JSON.stringify(value);
   return `{${Object.entries(value).map(([name, inner]) => `${JSON.stringify(name)}: ${spaced(inner)}`).join(", ")}}`;
@@ -99,16 +101,12 @@ export function placeOf(form: Form, where: string, what: string): Place {
 }
 
 /** The fragment of a link that carries a form. */
-export function toFragment(form: Form): string {
-  const bytes = new TextEncoder().encode(JSON.stringify(form));
-  return btoa(String.fromCharCode(...bytes)).replace(/\+/g, "-").replace(/\//g, "_").replace(/=+$/, "");
-}
+export const toFragment = (form: Form): string => packed(JSON.stringify(form));
 
 /** Null where a fragment holds no form. */
 export function fromFragment(fragment: string): Form | null {
   try {
-    const bytes = Uint8Array.from(atob(fragment.replace(/-/g, "+").replace(/_/g, "/")), (c) => c.charCodeAt(0));
-    const read = JSON.parse(new TextDecoder().decode(bytes)) as Json;
+    const read = JSON.parse(unpacked(fragment) ?? "") as Json;
     const alike = Object.entries(EMPTY).every(([name, value]) => typeof read[name] === typeof value);
     return alike ? (read as unknown as Form) : null;
   } catch {

@@ -1,4 +1,4 @@
-/** What both views share of WebGL: programs, buffers, and branches as cones. */
+/** What the views share of WebGL: programs, buffers, and branches as cones. */
 
 import { FIELD } from "./camera";
 
@@ -84,3 +84,15 @@ export const pixelOf = (canvas: HTMLCanvasElement): number => (2 * Math.tan(FIEL
 
 /** The corners of the rectangle of a segment. */
 export const SEGMENT_CORNERS = new Float32Array([-1, 0, 1, 0, -1, 1, 1, 1]);
+
+/** Triangles of a grid of `side` by `side` places. */
+export function grid(side: number): { places: Float32Array; triangles: Uint32Array } {
+  const places: number[] = [], triangles: number[] = [];
+  for (let row = 0; row < side; ++row)
+    for (let column = 0; column < side; ++column) {
+      places.push((2 * column) / (side - 1) - 1, (2 * row) / (side - 1) - 1);
+      const i = row * side + column;
+      if (row + 1 < side && column + 1 < side) triangles.push(i, i + 1, i + side, i + 1, i + side + 1, i + side);
+    }
+  return { places: new Float32Array(places), triangles: new Uint32Array(triangles) };
+}

@@ -4,8 +4,11 @@ import { codeArea, type CodeArea } from "../../../gen/apps/studio/page/src/contr
 import { el, grouped, iconButton, quiet } from "../../../gen/apps/studio/page/src/dom";
 import { engine, type Fault } from "./engine";
 import { EMPTY, fileOf, formOf, fromFragment, LISTS, placeOf, textOf, toFragment, type Form, type List, type Place } from "./form";
-import { copyLink, save } from "./savings";
-import { shapesOf } from "./shapes";
+import { glbOf } from "./glb";
+import { plantPreset } from "./plant_preset";
+import { copyLink, handing, save } from "./savings";
+import { shapesOf, type Shapes } from "./shapes";
+import { trianglesOf, tubesOf } from "./tubes";
 import { viewOn } from "./view";
 
 const FIRST = "bush";
@@ -125,11 +128,14 @@ function tell(errors: Fault[], notes: Fault[]): void {
   canvas.classList.toggle("stale", errors.length > 0);
 }
 
+/** What was drawn last. */
+let shapes: Shapes | null = null;
 async function drawOnce(): Promise<void> {
   const { errors, notes, ...figure } = await engine("draw", textOf(form), form.steps);
   tell(errors, notes ?? []);
   if (errors.length) return;
-  view?.show(shapesOf(figure));
+  shapes = shapesOf(figure);
+  view?.show(shapes);
   const counted: [number, string][] = [[figure.segmentColors.length, "segments"], [figure.triangleColors.length, "triangles"], [figure.siteNames.length, "organs"]];
   figures.textContent = counted.filter(([count]) => count).map(([count, what]) => `${grouped(count)} ${what}`).join(", ") || "Nothing is drawn";
 }
@@ -140,11 +146,14 @@ async function draw(): Promise<void> {
   wanted = true;
   if (busy) return;
   busy = true;
-  while (wanted) {
-    wanted = false;
-    await drawOnce();
+  try {
+    while (wanted) {
+      wanted = false;
+      await drawOnce();
+    }
+  } finally {
+    busy = false;
   }
-  busy = false;
   void showWord();
 }
 
@@ -162,6 +171,7 @@ const keep = quiet(400, () => panel.isConnected && history.replaceState(null, ""
 function change(changed: Partial<Form>): void {
   form = { ...form, ...changed };
   if ("rules" in changed || "axiom" in changed) choice.value = "";
+  handed.refresh();
   keep();
   void draw();
 }
@@ -177,9 +187,13 @@ function open(next: Form, name: string): void {
     (host as HTMLDetailsElement).open = list === "rules" || form[list] !== "";
   }
   shownBy.forEach((show) => show(true));
+  handed.refresh();
   keep();
   void draw();
 }
+
+const nameOf = (): string => `my_${choice.value || "plant"}`;
+const handed = handing("grammar", () => ({ name: nameOf(), text: plantPreset(form, nameOf().replace(/_/g, " "), shapes) }));
 
 const button = (label: string, name: string, click: () => unknown): HTMLElement => el("button", { type: "button", "data-testid": name, click }, label);
 const savings = el("div.savings", {}, copyLink(keep.now),
@@ -187,6 +201,10 @@ const savings = el("div.savings", {}, copyLink(keep.now),
   button("SVG", "save-svg", async () => {
     const { errors, svg } = await engine("svg", textOf(form), form.steps);
     if (!errors.length) save("grammar.svg", new Blob([svg]));
+  }),
+  button("GLB", "save-glb", () => {
+    if (!shapes) return;
+    save("grammar.glb", glbOf("grammar", [{ ...tubesOf(shapes.segments, 11), name: "branches" }, { ...trianglesOf(shapes.corners), name: "blades", leaf: true }]));
   }),
   button("PNG", "save-png", async () => {
     const picture = await view?.picture();
@@ -204,6 +222,7 @@ const panel = el("main", {},
       el("div.row-of", {}, el("span", {}, "Seed"), reseed, seed, el("span.unit")),
       ...LISTS.slice(1).map((list) => field(list, ...ABOUT[list])),
       field("others", "Other properties", "As in a grammar file: \"width\": 0.1, \"constants\": {\"r\": 0.9}"),
+      handed.element,
       words),
     el("section.drawing", { "aria-label": "Drawing" }, canvas,
       view ? null : el("p.fault", {}, "This browser has no WebGL 2, so nothing is drawn; SVG files can be saved."),

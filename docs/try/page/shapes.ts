@@ -3,7 +3,7 @@
 import type { Figure } from "./engine";
 
 /** Colours by index, as in the SVG files of `frond turtle`. */
-const COLORS = [0x4a6b35, 0x6f9a3e, 0x8fbf4d, 0xc9b458, 0xb3763c, 0xa8455a, 0x7a5a9e, 0x3f7d9a];
+export const COLORS = [0x4a6b35, 0x6f9a3e, 0x8fbf4d, 0xc9b458, 0xb3763c, 0xa8455a, 0x7a5a9e, 0x3f7d9a];
 
 export type Vec = [number, number, number];
 

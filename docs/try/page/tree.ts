@@ -1,8 +1,11 @@
 /** A tree that grows for light: its species, age, seed and the time of the year, and the tree beside. */
 
 import { el, grouped, iconButton, quiet } from "../../../gen/apps/studio/page/src/dom";
+import { removeAt, setAt } from "../../../gen/apps/studio/page/src/edits";
 import { INTERNODES, treeOf, type Tree } from "./engine";
-import { copyLink, save } from "./savings";
+import { glbOf } from "./glb";
+import { copyLink, handing, save } from "./savings";
+import { treeParts } from "./tree_parts";
 import { treeViewOn } from "./tree_view";
 
 const FIRST = "oak";
@@ -62,6 +65,7 @@ function fill(typing?: HTMLInputElement): void {
     if (input !== typing) input.value = String(value);
   };
   kind.value = choice.species;
+  handed.refresh();
   years.max = age.max = String(tree ? tree.cycles.length - 1 : species.get(choice.species)!.years);
   put(years, choice.years), put(age, choice.years);
   put(time, choice.time), put(seed, choice.seed);
@@ -121,11 +125,14 @@ async function draw(): Promise<void> {
   wanted = true;
   if (busy) return;
   busy = true;
-  while (wanted) {
-    wanted = false;
-    await drawOnce();
+  try {
+    while (wanted) {
+      wanted = false;
+      await drawOnce();
+    }
+  } finally {
+    busy = false;
   }
-  busy = false;
 }
 
 // Links and files
@@ -144,7 +151,21 @@ function show(next: Choice): void {
   change(next);
 }
 
+const fileName = (): string => `my_${choice.species}`;
+/** The preset of the species, of that age and seed at that time of the year. */
+function presetText(): string {
+  const { text, years: usual } = species.get(choice.species)!;
+  let aged = setAt(setAt(removeAt(text, ["$schema"]), ["seed"], choice.seed), ["organisms", 0, "years"], choice.years);
+  // Its camera looks at a tree of the usual age.
+  if (choice.years !== usual) aged = setAt(aged, ["scene", "camera", "fit"], ["all"]);
+  return choice.time === 0.5 && !/"season":/.test(text) ? aged : setAt(aged, ["organisms", 0, "season", "at"], choice.time);
+}
+const handed = handing("tree", () => ({ name: fileName(), text: presetText() }));
+
 const savings = el("div.savings", {}, copyLink(keep.now),
+  el("button", { type: "button", "data-testid": "tree-glb", click: () => {
+    if (tree) save(`${fileName()}.glb`, glbOf(choice.species, treeParts(tree)));
+  } }, "GLB"),
   el("button", { type: "button", "data-testid": "tree-png", click: async () => {
     const picture = await view?.picture();
     if (picture) save("tree.png", picture);
@@ -158,7 +179,8 @@ const panel = el("main", {},
     el("div.row-of", {}, el("span", {}, "Season"), time, month),
     el("div.row-of", {}, el("span", {}, "Seed"), reseed, seed, el("span.unit")),
     faults,
-    note),
+    note,
+    handed.element),
   el("section.drawing.outdoors", { "aria-label": "The tree" }, canvas,
     view ? null : el("p.fault", {}, "This browser has no WebGL 2, so nothing is drawn."),
     el("footer", {}, figures, savings)));

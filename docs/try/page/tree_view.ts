@@ -2,7 +2,7 @@
 
 import { listen, matrices, type Eye, type Frame } from "./camera";
 import type { Tree } from "./engine";
-import { attributes, fit, pixelOf, program, SEGMENT_CORNERS, SEGMENT_NORMAL, SEGMENT_VERTEX } from "./gl";
+import { attributes, fit, grid, pixelOf, program, SEGMENT_CORNERS, SEGMENT_NORMAL, SEGMENT_VERTEX } from "./gl";
 
 const ASIDE: Eye = { yaw: 0.5, pitch: 0.1, zoom: 1 };
 const STRIDE = 13; // numbers of a segment and of an organ
@@ -112,18 +112,6 @@ function frameOf({ segments, height }: Tree): Frame {
 function person({ height }: Tree): number[] {
   const x = Math.max(0.9, 0.11 * height);
   return PERSON.flatMap(([ax, ay, ar, bx, by, br]) => [x + ax!, ay!, 0, ar!, x + bx!, by!, 0, br!, 0.36, 0.4, 0.47, 1, 1]);
-}
-
-/** Triangles of a grid of `side` by `side` places. */
-function grid(side: number): { places: Float32Array; triangles: Uint32Array } {
-  const places: number[] = [], triangles: number[] = [];
-  for (let row = 0; row < side; ++row)
-    for (let column = 0; column < side; ++column) {
-      places.push((2 * column) / (side - 1) - 1, (2 * row) / (side - 1) - 1);
-      const i = row * side + column;
-      if (row + 1 < side && column + 1 < side) triangles.push(i, i + 1, i + side, i + 1, i + side + 1, i + side);
-    }
-  return { places: new Float32Array(places), triangles: new Uint32Array(triangles) };
 }
 
 /** Something to draw, with the program that draws it. */

@@ -14,7 +14,7 @@ struct CommandGroup {
 
 const std::vector<CommandGroup>& command_groups() {
   static const std::vector<CommandGroup> groups{
-      {"Make", {"new", "describe", "list", "schema", "check", "import", "studio"}},
+      {"Make", {"new", "describe", "list", "schema", "check", "import", "studio", "try"}},
       {"Look", {"look", "info", "draw", "plan", "stand", "derive", "turtle"}},
       {"Render", {"render", "sheet", "generate", "resolve", "film", "compare"}},
       {"Give to other programs", {"export", "passes", "textures"}},

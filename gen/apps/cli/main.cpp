@@ -17,6 +17,7 @@
 #include "cli/named.h"
 #include "cli/rendering.h"
 #include "cli/streams.h"
+#include "cli/try.h"
 #include "cli/versions.h"
 #include "cli/words.h"
 
@@ -327,11 +328,11 @@ int run(int count, char** words) {
       "the "
       "program was built in or is installed with.");
   int result = kDone;
-  for (auto add : {add_new,     add_describe, add_catalogue, add_check,    add_import,  add_studio,
-                   add_look,    add_info,     add_draw,      add_plan,     add_stand,   add_derive,
-                   add_turtle,  add_render,   add_sheet,     add_generate, add_resolve, add_film,
-                   add_compare, add_export,   add_passes,    add_textures, add_farm,    add_files,
-                   add_develop, add_confine,  add_frame,     add_task,     add_gallery, add_completion})
+  for (auto add : {add_new,    add_describe, add_catalogue, add_check,   add_import,  add_studio,  add_try,
+                   add_look,   add_info,     add_draw,      add_plan,    add_stand,   add_derive,  add_turtle,
+                   add_render, add_sheet,    add_generate,  add_resolve, add_film,    add_compare, add_export,
+                   add_passes, add_textures, add_farm,      add_files,   add_develop, add_confine, add_frame,
+                   add_task,   add_gallery,  add_completion})
     add(app, result);
   group_commands(app);
   judge_options(app);

@@ -1,19 +1,17 @@
 #include "studio/studio.h"
 
 #include <fmt/format.h>
-#include <spawn.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
 
+#include "cli/browser.h"
 #include "cli/commands.h"
 #include "cli/inputs.h"
 #include "cli/streams.h"
 #include "core/files.h"
 #include "core/home.h"
-
-extern char** environ;
 
 namespace frond {
 
@@ -50,14 +48,10 @@ class Doorway {
   fs::path folder_;
 };
 
-/// Asks the desktop to open a page; where there is none the printed address does.
-void open_in_browser(const Doorway& doorway) {
+/// Where there is no desktop the printed address does.
+void open_by(const Doorway& doorway) {
   if (!doorway.there()) return tell("note: no file could be made to open; open the address by hand");
-  std::string program = "xdg-open", word = doorway.page().string();
-  char* words[] = {program.data(), word.data(), nullptr};
-  pid_t child = 0;
-  if (posix_spawnp(&child, program.c_str(), nullptr, nullptr, words, environ) != 0)
-    tell("note: there is no xdg-open; open the address by hand");
+  if (!open_in_browser(doorway.page())) tell("note: there is no xdg-open; open the address by hand");
 }
 
 }  // namespace
@@ -88,7 +82,7 @@ int studio(const StudioArguments& arguments) {
     tell("Open this address in a browser; Ctrl+C ends the studio.");
     if (!arguments.open) return;
     doorway.emplace(address);
-    open_in_browser(*doorway);
+    open_by(*doorway);
   };
   now_doing("serving the studio");
   Errors errors = serve_studio(options);

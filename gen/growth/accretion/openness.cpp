@@ -88,7 +88,7 @@ void Openness::build() {
 }
 
 void Openness::mark(Level& level) {
-  const auto& [wide, high, deep] = level.count;
+  const int wide = level.count[0], high = level.count[1], deep = level.count[2];
   for (int z = 0; z + 1 < deep; ++z)
     for (int y = 0; y + 1 < high; ++y) {
       const float* front = level.held.data() + (z * high + y) * wide;
@@ -101,7 +101,7 @@ void Openness::mark(Level& level) {
 
 /// At a place measured in its cells, from the middle of the first.
 inline float Openness::held_at(const Level& level, Vec3 at) {
-  const auto& [wide, high, deep] = level.count;
+  const int wide = level.count[0], high = level.count[1], deep = level.count[2];
   // The outermost cells are empty.
   if (!(at.x >= 0 && at.y >= 0 && at.z >= 0)) return 0;
   int x = static_cast<int>(at.x), y = static_cast<int>(at.y), z = static_cast<int>(at.z);

@@ -1,7 +1,5 @@
 #include "organisms/describe_colony.h"
 
-#include "dress/describe.h"
-
 namespace frond {
 
 void describe(Properties& v, TissueLook& t) {

@@ -97,8 +97,8 @@ SheetBody lawn_of(const Sheet& sheet, const SheetBody& top, const TableParams& p
   float reach = static_cast<float>(params.across / 2);
   for (std::size_t s = 0; s < sockets.size(); ++s) {
     Seed own = seed.child("branchlet", s);
-    auto [t, w] = sockets[s];
-    auto corner = sheet.triangle[t];
+    const Vec3 w = sockets[s].weights;
+    auto corner = sheet.triangle[sockets[s].triangle];
     auto place = [&](const std::vector<Vec3>& side) {
       return side[corner[0]] * w.x + side[corner[1]] * w.y + side[corner[2]] * w.z;
     };

@@ -4,7 +4,7 @@
 #include "scene/scene.h"
 
 // What a preset's first organism has grown to, as JSON, for the test of the page:
-//   try_tree_figures PRESET [/json/pointer=value]...
+//   try_figures PRESET [/json/pointer=value]...
 
 using namespace frond;
 
@@ -25,6 +25,16 @@ int main(int count, char** words) {
     ++segments, sum += DVec3(s.position[i]), radii += s.radius[i];
     height = std::max<double>(height, s.position[i].y);
   }
-  fmt::print(R"({{"segments": {}, "height": {}, "sum": [{}, {}, {}], "radii": {}, "organs": {}}})", segments,
+  double triangles = 0, vertices = 0;
+  DVec3 places(0);
+  for (std::size_t i = 0; i < model.solids.size(); ++i) {
+    const Surface& surface = model.solids.shapes[model.solids.shape[i]].surface;
+    triangles += static_cast<double>(surface.triangle.size());
+    vertices += static_cast<double>(surface.position.size());
+    for (Vec3 at : surface.position) places += DVec3(model.solids.placed(i, at));
+  }
+  fmt::print(R"({{"segments": {}, "height": {}, "sum": [{}, {}, {}], "radii": {}, "organs": {}, )", segments,
              height, sum.x, sum.y, sum.z, radii, model.organs.size());
+  fmt::print(R"("triangles": {}, "vertices": {}, "places": [{}, {}, {}]}})", triangles, vertices, places.x,
+             places.y, places.z);
 }

@@ -1,0 +1,47 @@
+#include "organisms/colony.h"
+#include "organisms/kinds.h"
+
+// What kinds ask of a scene, as it is where a coral stands alone on level ground.
+
+namespace frond {
+
+std::span<const Kind<Organism>> organism_kinds() {
+  static const std::vector<Kind<Organism>> kinds{
+      coral_kind(), massive_kind(), columnar_kind(), foliose_kind(), table_kind(), tube_kind(), fan_kind()};
+  return kinds;
+}
+
+Surroundings::Surroundings(const World&, std::size_t, const Placement&) {}
+
+float Surroundings::room(Vec3, float) const { return Territories::kOpen; }
+
+float Surroundings::border(Vec3) const { return Territories::kOpen; }
+
+float Surroundings::light(Vec3) const { return 1; }
+
+Surroundings::Hold Surroundings::hold(Vec3 at, float) const { return {{at.x, 0, at.z}, {0, 1, 0}}; }
+
+AccretionWorld accretion_world(const Surroundings& around) {
+  return {[&](Vec3 at, float within) { return around.room(at, within); },
+          [&](Vec3 at) { return around.light(at); }};
+}
+
+Model model_of(Surface skin, std::vector<std::vector<Vec3>> past, const Material& material) {
+  Solid solid{std::move(skin), material};
+  solid.past = std::move(past);
+  Model model;
+  model.solids.place(model.solids.add_shape(std::move(solid)));
+  return model;
+}
+
+// Nothing is grown in a world here.
+
+std::vector<Result<Specimen>> LoneGrower::grow(std::span<const Bed>, const World&, const Step&) const {
+  return {};
+}
+
+Result<Model> LoneGrower::grow_copy(const Organism&, Seed seed) const { return grow_alone(seed); }
+
+float LoneGrower::copy_depth(const Model&) const { return 0; }
+
+}  // namespace frond
