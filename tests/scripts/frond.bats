@@ -512,7 +512,7 @@ XML
 @test "an unknown command is told with those there are and the nearest" {
   run "$frond" genrate x.json
   [ "$status" -eq 2 ]
-  [[ "$output" == 'genrate: no such command; expected one of new, describe, '*', check, import, studio, look, '*'; did you mean "generate"?' ]]
+  [[ "$output" == 'genrate: no such command; expected one of new, describe, '*', check, import, studio, try, look, '*'; did you mean "generate"?' ]]
   run "$frond" preview
   [ "$status" -eq 2 ]
   [[ "$output" == 'preview: no such command; expected one of new, describe, '* ]]
