@@ -40,7 +40,7 @@ VALUES = {
     "--opencue": ["cue.xml"], "--chunk": ["1"], "--bands": ["1"], "--site": ["site.json"], "--hosts": ["a"],
     "--partition": ["p"], "--status": [None], "--cancel": [None], "--logs": [None], "--columns": ["2"],
     "--width": ["20"], "--title": ["t"], "--comment": ["c"], "--alpha": [None],
-    "--system": ["Bush"],
+    "--system": ["Bush"], "--upgrade": [None],
 }
 OF_COMMAND = {
     "export": {"--out": ["a.obj", "a.ply", "a.glb", "a.vdb", "a.inc"], "--frames": ["1-2"]},
