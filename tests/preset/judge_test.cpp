@@ -17,7 +17,8 @@ struct SchemaJudge::Library {
 };
 
 SchemaJudge::SchemaJudge() : library_(std::make_unique<Library>()) {
-  nlohmann::json schema = nlohmann::json::parse(schema_text<reef::Preset>("Reef", "A test"));
+  nlohmann::json schema =
+      nlohmann::json::parse(serialize_pretty(file_schema<reef::Preset>("Reef", "A test")));
   valijson::adapters::NlohmannJsonAdapter adapter(schema);
   valijson::SchemaParser(valijson::SchemaParser::kDraft7).populateSchema(adapter, library_->schema);
 }

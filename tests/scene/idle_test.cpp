@@ -91,9 +91,8 @@ TEST(IdleSettings, WhatNeedsAnotherPropertyIsNoted) {
 
 /// What a sentence says that a property needs is what is looked at.
 TEST(IdleSettings, SentencesOfNeedsAreUnderstood) {
-  auto schema = parse_json(preset_schema(), "schema");
   int count = 0;
-  for (const Topic& topic : topics_of(schema->root)) {
+  for (const Topic& topic : topics_of(preset_schema())) {
     std::size_t at = topic.sentence.find("Needs ");
     std::string_view said = std::string_view(topic.sentence).substr(std::min(at, topic.sentence.size()));
     // What is there or not, and no value, is told of by the kinds themselves.

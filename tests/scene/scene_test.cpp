@@ -215,12 +215,10 @@ TEST(Reef, HasNoJumps) {
 }
 
 TEST(Schema, IsTheOneInDocs) {
-  EXPECT_EQ(*read_file(FROND_ROOT "/docs/preset.schema.json"), preset_schema());
+  EXPECT_EQ(*read_file(FROND_ROOT "/docs/preset.schema.json"), serialize_pretty(preset_schema()));
 }
 
 TEST(Schema, NoKindDescribesWhatAllOfThemHave) {
-  Result<Document> schema = parse_json(preset_schema(), "schema");
-  ASSERT_TRUE(schema.ok());
   int kinds = 0;
   auto walk = [&](auto& self, const Value& v) -> void {
     const Value *common = v.find("properties"), *cases = v.find("allOf");
@@ -230,7 +228,7 @@ TEST(Schema, NoKindDescribesWhatAllOfThemHave) {
     for (const Value& item : v.items) self(self, item);
     for (const Member& member : v.members) self(self, member.value);
   };
-  walk(walk, schema->root);
+  walk(walk, preset_schema());
   EXPECT_GT(kinds, 20);
 }
 

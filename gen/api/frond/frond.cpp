@@ -85,7 +85,7 @@ Failure::Failure(std::vector<Message> messages, bool of_input)
 
 void set_home(const fs::path& folder) { set_home_folder(folder); }
 
-std::string schema() { return preset_schema(); }
+std::string schema() { return serialize_pretty(preset_schema()); }
 
 // Presets
 

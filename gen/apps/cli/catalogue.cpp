@@ -155,7 +155,7 @@ int list_everything(bool json) {
 }
 
 int print_schema() {
-  put(preset_schema());
+  put(serialize_pretty(preset_schema()));
   return kDone;
 }
 

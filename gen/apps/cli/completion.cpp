@@ -69,8 +69,7 @@ Words pointers_in(const Words& words) {
   }
   std::set<std::string> pointers;
   const Words all = kind_names();
-  if (Result<Document> schema = parse_json(preset_schema(), "schema"))
-    for (const Topic& topic : topics_of(schema->root)) add_pointers(topic, all, kinds, pointers);
+  for (const Topic& topic : topics_of(preset_schema())) add_pointers(topic, all, kinds, pointers);
   Words list;
   for (const std::string& pointer : pointers) list.push_back(pointer + "=");
   return list;

@@ -132,9 +132,7 @@ std::string about_the_like(const std::vector<Topic>& topics, const std::vector<s
 }  // namespace
 
 int describe_properties(const std::vector<std::string>& words, bool json) {
-  Result<Document> schema = parse_json(preset_schema(), "schema");
-  if (!schema) return fail(schema.errors(), kCouldNot);
-  std::vector<Topic> topics = topics_of(schema->root);
+  std::vector<Topic> topics = topics_of(preset_schema());
   std::string asked = fmt::format("{}", fmt::join(words, " "));
   std::vector<Topic> found = asked.empty() ? topics : topics_about(topics, asked);
   if (json) {

@@ -211,9 +211,7 @@ int new_preset(const NewArguments& arguments) {
   for (Member& member : read->members)
     if (member.name != "$schema" && member.name != "title") preset.set(member.name, std::move(member.value));
 
-  Result<Document> schema = parse_json(preset_schema(), "schema");
-  if (!schema) return fail(schema.errors(), kCouldNot);
-  std::string text = Commented(topics_of(schema->root)).text(preset);
+  std::string text = Commented(topics_of(preset_schema())).text(preset);
   if (Result<bool> written = write_file(path, text); !written) return fail(written.errors(), kCouldNot);
   put(path.string() + "\n");
   const Value* organisms = preset.find("organisms");

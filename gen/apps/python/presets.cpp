@@ -50,7 +50,7 @@ void add_presets(py::module_& module) {
   module.def("pretty", [](const std::string& text) {
     return serialize_pretty(or_raise(parse_json(text, "preset")).root) + "\n";
   });
-  module.def("schema", &preset_schema);
+  module.def("schema", [] { return serialize_pretty(preset_schema()); });
   module.def("kinds", [] { return names_of(organism_kinds()); });
   module.def("settings", [] { return names_of(settings()); });
 }

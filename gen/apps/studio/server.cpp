@@ -198,7 +198,7 @@ class Server {
       send(response, 200,
            {{"started", started_},
             {"machine", {{"cores", thread_count()}, {"farm", find_program("sbatch").has_value()}}},
-            {"schema", Json::parse(preset_schema())},
+            {"schema", Json::parse(serialize(preset_schema()))},
             {"symbols", symbols_json()},
             {"preset", documents_.opened()},
             {"presets", documents_.shipped()},

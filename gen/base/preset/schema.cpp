@@ -103,15 +103,15 @@ Value SchemaWriter::defaults_of(const SlotType& one, const KindTable& kinds) {
 
 std::string schema_json(ObjectSlot object) { return serialize(SchemaWriter::of(object)); }
 
-std::string schema_text(const Value& schema, std::string_view title, std::string_view doc) {
+Value file_schema(Value schema, std::string_view title, std::string_view doc) {
   Value top = make_object();
   top.set("$schema", make_text("http://json-schema.org/draft-07/schema#"));
   top.set("title", make_text(title)).set("description", make_text(doc));
-  for (const Member& member : schema.members) top.set(member.name, member.value);
+  for (Member& member : schema.members) top.set(member.name, std::move(member.value));
   Value& properties = *top.find("properties");
   properties.members.insert(properties.members.begin(), Member{"$schema", {}, make_object()});
   properties.members.front().value.set("type", make_text("string"));
-  return serialize_pretty(top);
+  return top;
 }
 
 }  // namespace frond

@@ -11,7 +11,7 @@
 namespace frond {
 
 /// The visitor that makes the JSON Schema (draft-07) of described structs (describe.h). It expresses all
-/// checks of Reader except the order of keyframes. Use schema_text() below.
+/// checks of Reader except the order of keyframes. Use file_schema() below.
 class SchemaWriter : public Properties {
  public:
   /// The schema of a described struct with its initial values.
@@ -89,11 +89,11 @@ class SchemaWriter : public Properties {
   std::vector<std::string_view> leading_;
 };
 
-/// The JSON Schema of presets for a described struct, as a file.
-std::string schema_text(const Value& schema, std::string_view title, std::string_view doc);
+/// The JSON Schema of files that hold an object of that schema, with a title and a description.
+Value file_schema(Value schema, std::string_view title, std::string_view doc);
 template <class T>
-std::string schema_text(std::string_view title, std::string_view doc) {
-  return schema_text(SchemaWriter::of<T>(), title, doc);
+Value file_schema(std::string_view title, std::string_view doc) {
+  return file_schema(SchemaWriter::of<T>(), title, doc);
 }
 
 }  // namespace frond

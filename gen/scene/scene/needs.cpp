@@ -15,8 +15,7 @@ namespace {
 const std::map<std::string, Topic>& topics_by_path() {
   static const std::map<std::string, Topic> all = [] {
     std::map<std::string, Topic> list;
-    Result<Document> schema = parse_json(preset_schema(), "schema");
-    for (Topic& topic : topics_of(schema->root)) list.emplace(topic.path, topic);
+    for (Topic& topic : topics_of(preset_schema())) list.emplace(topic.path, topic);
     return list;
   }();
   return all;

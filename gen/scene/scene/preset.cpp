@@ -278,8 +278,9 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   return preset;
 }
 
-std::string preset_schema() {
-  return schema_text<Preset>("Frond preset", "A film or a still of things that grow.");
+const Value& preset_schema() {
+  static const Value schema = file_schema<Preset>("Frond preset", "A film or a still of things that grow.");
+  return schema;
 }
 
 }  // namespace frond

@@ -52,7 +52,7 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
 /// What is found wrong with the value at a JSON pointer after reading, with its place.
 Error fault_at(const Preset& preset, const std::string& pointer, std::string what);
 
-/// The JSON Schema (draft-07) of presets.
-std::string preset_schema();
+/// The JSON Schema (draft-07) of presets, made when it is first asked for.
+const Value& preset_schema();
 
 }  // namespace frond
