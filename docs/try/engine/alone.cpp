@@ -40,8 +40,4 @@ std::vector<Result<Specimen>> LoneGrower::grow(std::span<const Bed>, const World
   return {};
 }
 
-Result<Model> LoneGrower::grow_copy(const Organism&, Seed seed) const { return grow_alone(seed); }
-
-float LoneGrower::copy_depth(const Model&) const { return 0; }
-
 }  // namespace frond

@@ -91,9 +91,10 @@ Result<GrownCoral> grow_first(const std::string& json, const std::string& name, 
   if (!corals) return corals.errors();
   const Organism& first = corals->organisms[0];
   const auto& grower = static_cast<const LoneGrower&>(*first.grower);
-  if (Errors errors = grower.check(); !errors.empty()) return placed_in(document->root, errors);
+  Review review = grower.review();
+  if (!review.faults.empty()) return placed_in(document->root, review.faults);
   GrownCoral grown{json, share, doubts.errors(), {}, {}, {}};
-  for (Error& doubt : placed_in(document->root, grower.doubts())) grown.notes.push_back(std::move(doubt));
+  for (Error& doubt : placed_in(document->root, review.doubts)) grown.notes.push_back(std::move(doubt));
   if (corals->organisms.size() > 1)
     grown.notes.push_back(
         {name, fmt::format("only the first of {} organisms is grown here", corals->organisms.size())});
