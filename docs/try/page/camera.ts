@@ -51,3 +51,16 @@ export function listen(canvas: HTMLCanvasElement, turn: (yaw: number, pitch: num
     turn(step[0]!, step[1]!, step[2]!);
   });
 }
+
+/** Lets `eye` go round what stands on the ground, and back to `start` on a double click; `moved` is called each time. */
+export function walkRound(canvas: HTMLCanvasElement, eye: Eye, start: Eye, moved: () => void): void {
+  listen(canvas, (yaw, pitch, zoom) => {
+    eye.yaw += yaw;
+    eye.pitch = Math.max(0, Math.min(1.5, eye.pitch + pitch));
+    eye.zoom = Math.max(0.5, Math.min(20, eye.zoom * zoom));
+    moved();
+  }, () => {
+    Object.assign(eye, start);
+    moved();
+  });
+}

@@ -7,7 +7,7 @@ import type { Path } from "../../../gen/apps/studio/page/src/pointer";
 import { Preset } from "../../../gen/apps/studio/page/src/preset";
 import { coralFields, kinds } from "./coral_fields";
 import { coralViewOn, meshOf } from "./coral_view";
-import { coralOf, type Coral } from "./engine";
+import { coralOf, latest, type Coral } from "./engine";
 import { glbOf } from "./glb";
 import { copyLink, handing, packed, save, unpacked } from "./savings";
 
@@ -72,7 +72,7 @@ function fill(): void {
 
 /** Shows its growth as a film. */
 async function grow(): Promise<void> {
-  if (busy || !coral) return;
+  if (busy() || !coral) return;
   const began = performance.now(), of = text;
   grown = 0.02;
   while (grown < 1 && of === text) {
@@ -103,7 +103,7 @@ function tell({ errors, notes }: Coral): void {
 
 const centimetres = (metres: number): string => (metres < 0.1 ? (100 * metres).toFixed(1) : String(Math.round(100 * metres)));
 
-let wanted = false, busy = false, drawn = "";
+let drawn = "";
 async function drawOnce(): Promise<void> {
   const asked = text, rough = share, key = `${rough} ${asked}`, began = performance.now();
   if (key !== drawn && rough === 1) figures.textContent = "Growing …";
@@ -121,19 +121,7 @@ async function drawOnce(): Promise<void> {
   figures.textContent = `${wide} × ${deep} cm, ${high} cm high${rough < 1 ? "; roughly, for now" : `; grown in ${(took / 1000).toFixed(1)} s`}`;
 }
 /** Draws the coral as it is now; what is changed while the engine works is drawn next. */
-async function draw(): Promise<void> {
-  wanted = true;
-  if (busy) return;
-  busy = true;
-  try {
-    while (wanted) {
-      wanted = false;
-      await drawOnce();
-    }
-  } finally {
-    busy = false;
-  }
-}
+const { draw, busy } = latest(drawOnce);
 /** Once nothing is changed any more, all of it. */
 const settle = quiet(450, () => {
   share = 1;
@@ -209,5 +197,5 @@ export const coralPage = {
     } else if (!coral) open(name, text);
     else keep();
   },
-  busy: (): boolean => busy || share < 1,
+  busy: (): boolean => busy() || share < 1,
 };

@@ -1,6 +1,6 @@
 /** Draws a coral by WebGL as it stands on sand under water. */
 
-import { listen, matrices, type Eye, type Frame } from "./camera";
+import { matrices, walkRound, type Eye, type Frame } from "./camera";
 import { BODY_FRAGMENT, BODY_VERTEX, SAND_FRAGMENT, SAND_VERTEX, SHADOW_FRAGMENT, SHADOW_VERTEX } from "./coral_shaders";
 import type { Coral } from "./engine";
 import { attributes, fit, grid, program } from "./gl";
@@ -92,7 +92,8 @@ export function coralViewOn(canvas: HTMLCanvasElement): CoralView | null {
   gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, triangles, gl.STATIC_DRAW);
 
   let coral: Coral | null = null, frame: Frame | null = null, count = 0;
-  let eye = { ...ASIDE }, waiting = 0, stale = true;
+  const eye = { ...ASIDE };
+  let waiting = 0, stale = true;
 
   function paintShadow(view: number[]): void {
     gl.bindFramebuffer(gl.FRAMEBUFFER, target);
@@ -139,13 +140,7 @@ export function coralViewOn(canvas: HTMLCanvasElement): CoralView | null {
   const repaint = (): void => {
     waiting ||= requestAnimationFrame(paint);
   };
-  listen(canvas, (yaw, pitch, zoom) => {
-    eye = { yaw: eye.yaw + yaw, pitch: Math.max(0, Math.min(1.5, eye.pitch + pitch)), zoom: Math.max(0.5, Math.min(20, eye.zoom * zoom)) };
-    repaint();
-  }, () => {
-    eye = { ...ASIDE };
-    repaint();
-  });
+  walkRound(canvas, eye, ASIDE, repaint);
   new ResizeObserver(repaint).observe(canvas);
 
   return {

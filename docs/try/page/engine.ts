@@ -171,3 +171,23 @@ export const treeOf = (json: string, seed: number, age: number, time: number): P
  *  one that was asked for before. */
 export const coralOf = (json: string, name: string, share: number, grown: number): Promise<Coral> =>
   call("coral", [json, name, share, grown], PATIENCE_WITH_GROWTH, "make it smaller or its triangles larger");
+
+/** Does what `once` does, and again for what is asked meanwhile, which is then done once more; at last what `after` does. */
+export function latest(once: () => Promise<void>, after?: () => void): { draw: () => Promise<void>; busy: () => boolean } {
+  let wanted = false, busy = false;
+  const draw = async (): Promise<void> => {
+    wanted = true;
+    if (busy) return;
+    busy = true;
+    try {
+      while (wanted) {
+        wanted = false;
+        await once();
+      }
+    } finally {
+      busy = false;
+    }
+    after?.();
+  };
+  return { draw, busy: () => busy };
+}

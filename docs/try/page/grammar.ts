@@ -2,7 +2,7 @@
 
 import { codeArea, type CodeArea } from "../../../gen/apps/studio/page/src/controls/code_area";
 import { el, grouped, iconButton, quiet } from "../../../gen/apps/studio/page/src/dom";
-import { engine, type Fault } from "./engine";
+import { engine, latest, type Fault } from "./engine";
 import { EMPTY, fileOf, formOf, fromFragment, LISTS, placeOf, textOf, toFragment, type Form, type List, type Place } from "./form";
 import { glbOf } from "./glb";
 import { plantPreset } from "./plant_preset";
@@ -140,22 +140,8 @@ async function drawOnce(): Promise<void> {
   figures.textContent = counted.filter(([count]) => count).map(([count, what]) => `${grouped(count)} ${what}`).join(", ") || "Nothing is drawn";
 }
 
-let wanted = false, busy = false;
 /** Draws the form as it is now; what is changed while the engine works is drawn next. */
-async function draw(): Promise<void> {
-  wanted = true;
-  if (busy) return;
-  busy = true;
-  try {
-    while (wanted) {
-      wanted = false;
-      await drawOnce();
-    }
-  } finally {
-    busy = false;
-  }
-  void showWord();
-}
+const { draw, busy } = latest(drawOnce, () => void showWord());
 
 async function showWord(): Promise<void> {
   if (!words.open) return;
@@ -241,5 +227,5 @@ export const grammarPage = {
     if (carried) open(carried, "");
     else open(formOf(examples.get(FIRST)!), FIRST);
   },
-  busy: (): boolean => busy,
+  busy,
 };

@@ -2,7 +2,7 @@
 
 import { el, grouped, iconButton, quiet } from "../../../gen/apps/studio/page/src/dom";
 import { removeAt, setAt } from "../../../gen/apps/studio/page/src/edits";
-import { INTERNODES, treeOf, type Tree } from "./engine";
+import { INTERNODES, latest, treeOf, type Tree } from "./engine";
 import { glbOf } from "./glb";
 import { copyLink, handing, save } from "./savings";
 import { treeParts } from "./tree_parts";
@@ -76,7 +76,7 @@ function fill(typing?: HTMLInputElement): void {
 /** Shows its life up to the present age as a film, each cycle of growth in the same time. */
 async function grow(): Promise<void> {
   const { years: last, species: grown, seed: from } = choice, cycles = tree?.cycles;
-  if (!cycles || busy) return;
+  if (!cycles || busy()) return;
   const ages = [...cycles.keys()].filter((year) => year > 0 && year < last && cycles[year]! > cycles[year - 1]!);
   const began = performance.now();
   for (let share = 0; share < 1 && choice.species === grown && choice.seed === from;) {
@@ -96,7 +96,7 @@ const faults = el("div.faults", { role: "alert", "data-testid": "tree-faults" })
 const figures = el("p.figures", { role: "status", "data-testid": "tree-figures" });
 const note = el("p.hint", { "data-testid": "tree-note" });
 
-let wanted = false, busy = false, shown = "";
+let shown = "";
 async function drawOnce(): Promise<void> {
   const asked = choice, { text } = species.get(asked.species)!, key = `${asked.species} ${asked.seed}`;
   const fresh = key !== shown, began = performance.now();
@@ -121,19 +121,7 @@ async function drawOnce(): Promise<void> {
   note.textContent = oldest < species.get(asked.species)!.years ? `It is followed for ${oldest} years, until ${grouped(INTERNODES)} internodes would stand.` : "";
 }
 /** Draws what is chosen now; what is changed while the engine works is drawn next. */
-async function draw(): Promise<void> {
-  wanted = true;
-  if (busy) return;
-  busy = true;
-  try {
-    while (wanted) {
-      wanted = false;
-      await drawOnce();
-    }
-  } finally {
-    busy = false;
-  }
-}
+const { draw, busy } = latest(drawOnce);
 
 // Links and files
 
@@ -212,5 +200,5 @@ export const treePage = {
     else if (!tree) show(choice);
     else keep();
   },
-  busy: (): boolean => busy,
+  busy,
 };

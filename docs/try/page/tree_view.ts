@@ -1,6 +1,6 @@
 /** Draws a tree by WebGL as it stands in the light that it leaves itself. */
 
-import { listen, matrices, type Eye, type Frame } from "./camera";
+import { matrices, walkRound, type Eye, type Frame } from "./camera";
 import type { Tree } from "./engine";
 import { attributes, fit, grid, pixelOf, program, SEGMENT_CORNERS, SEGMENT_NORMAL, SEGMENT_VERTEX } from "./gl";
 
@@ -179,7 +179,7 @@ export function treeViewOn(canvas: HTMLCanvasElement): TreeView | null {
 
   let tree: Tree | null = null, frame: Frame | null = null;
   let { drawn, buffers }: ReturnType<typeof drawnOf> = { drawn: [], buffers: [] };
-  let eye = { ...ASIDE };
+  const eye = { ...ASIDE };
   let waiting = 0;
 
   function paint(): void {
@@ -206,13 +206,7 @@ export function treeViewOn(canvas: HTMLCanvasElement): TreeView | null {
   const repaint = (): void => {
     waiting ||= requestAnimationFrame(paint);
   };
-  listen(canvas, (yaw, pitch, zoom) => {
-    eye = { yaw: eye.yaw + yaw, pitch: Math.max(0, Math.min(1.5, eye.pitch + pitch)), zoom: Math.max(0.5, Math.min(20, eye.zoom * zoom)) };
-    repaint();
-  }, () => {
-    eye = { ...ASIDE };
-    repaint();
-  });
+  walkRound(canvas, eye, ASIDE, repaint);
   new ResizeObserver(repaint).observe(canvas);
 
   return {
