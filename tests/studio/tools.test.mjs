@@ -172,6 +172,24 @@ test('plantings are moved, turned, scaled, copied, scattered and taken away', as
   await shown(page);
 });
 
+test('a tool that no picture has shown yet is pressed where its handles are', async () => {
+  await select(0);
+  const [foot, aside] = await Promise.all([pixelOf(page, [-2, 0, 0]), pixelOf(page, [-2, 0, 1.5])]);
+  const {json} = await after(() =>
+    page.evaluate(([from, to]) => {
+      const {canvas} = window.frond.view;
+      const at = (type, [clientX, clientY], buttons) =>
+        canvas.dispatchEvent(new PointerEvent(type, {clientX, clientY, buttons, button: type === 'pointermove' ? -1 : 0, pointerId: 1, isPrimary: true, bubbles: true}));
+      canvas.setPointerCapture = () => {};
+      // All in one task: nothing is drawn between.
+      document.querySelector('[data-testid="tool:place"]').click();
+      at('pointerdown', from, 1);
+      at('pointermove', to, 1);
+      at('pointerup', to, 0);
+    }, [foot, aside]));
+  near(json.organisms[0].place.at[0], [-2, 1.5], 0.1);
+});
+
 test('metres are measured', async () => {
   await tool('measure');
   for (const at of [[-1, 0, 2], [2, 0, 2]]) await page.mouse.click(...(await pixelOf(page, at)));

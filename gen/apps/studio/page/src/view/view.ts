@@ -178,6 +178,7 @@ export class View implements PointerTarget {
     this.trace([]);
     if (tool) this.painter.over.add(tool.drawn);
     this.tool = tool;
+    this.scale(tool); // A pointer may press before the next picture is drawn.
     this.canvas.classList.toggle("working", tool !== null);
     this.changed();
   }
@@ -378,13 +379,17 @@ export class View implements PointerTarget {
     else this.paint();
   };
 
+  private scale(handles: Pick<Tool, "scaleTo"> | null): void {
+    handles?.scaleTo(this.camera, this.painter.pixelOf(this.camera, this.canvas.clientHeight));
+  }
+
   private paint(): void {
     this.coming = 0;
     const more = this.eyes.step();
     this.looked();
     this.traced.place(this.toPixel);
-    this.guides.scaleTo(this.camera, this.painter.pixelOf(this.camera, this.canvas.clientHeight));
-    this.tool?.scaleTo(this.camera, this.painter.pixelOf(this.camera, this.canvas.clientHeight));
+    this.scale(this.guides);
+    this.scale(this.tool);
     this.painter.draw(this.camera);
     this.seen ||= this.header !== null;
     const waiting = this.waiting.splice(0);
