@@ -14,7 +14,8 @@ out, -R NAME runs those of a name.
 
   --all     also the tests labelled "large", and installs what they need; and then the quick ones of the
             library once more, in build-asan, with asserts and the address and undefined behaviour sanitizers
-  --rest    only what --all adds, for where the others have just been run
+  --rest    only what --all adds, for where the others have just been run; a test that fails runs once more, since
+            a browser or a queue of jobs keeps limits of time of its own on a busy machine: ctest shows both runs
   --help    this text
 
 What is labelled "long" only ctest runs: \`ctest --preset release -L long\`.
@@ -29,7 +30,7 @@ while (($# > 0)); do
   case $1 in
     -h | --help) usage; exit 0 ;;
     --all) setup=--all excluded='^long$' ;;
-    --rest) setup=--all excluded='^long$' only=(-L '^large$') ;;
+    --rest) setup=--all excluded='^long$' only=(-L '^large$' --repeat until-pass:2) ;;
     -LE | --label-exclude) excluded+=${excluded:+|}${2:-} && shift ;;
     *) options+=("$1") ;;
   esac
