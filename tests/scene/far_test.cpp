@@ -57,5 +57,16 @@ TEST(FarLandOfScenes, ViewHoldsAllThatAFilmSees) {
   EXPECT_FALSE(turn.holds(Vec2(-100, 0)));
 }
 
+TEST(FarLandOfScenes, IsNoFinerForPicturesOfMoreThanFourMegapixels) {
+  Camera camera;
+  camera.location = Animated<Vec3>(Vec3(0, 2, 0)), camera.look_at = Animated<Vec3>(Vec3(0, 2, -10));
+  FarView screen = far_view({.frames = 1, .size = {1920, 1080}}, camera);
+  FarView four = far_view({.frames = 1, .size = {2000, 2000}}, camera);
+  FarView print = far_view({.frames = 1, .size = {16384, 16384}}, camera);
+  EXPECT_DOUBLE_EQ(screen.pixels, 1920 * 1080);
+  EXPECT_DOUBLE_EQ(print.pixels, four.pixels);
+  EXPECT_NEAR(print.pixel, four.pixel, 1e-9);
+}
+
 }  // namespace
 }  // namespace frond

@@ -15,7 +15,7 @@ struct FarView {
   double pixel = 0.001;           ///< metres that a pixel is at 1 m
   double eye = 1.6;               ///< metres, the greatest height of a camera
   double aside = 0;               ///< metres from the middle to the farthest camera
-  double pixels = 1e5;            ///< of a picture: what is drawn grows with them
+  double pixels = 1e5;            ///< of a picture, 4 million at most: what is drawn grows with them
 
   bool holds(Vec2 at) const;  ///< whether that place is in view from the middle
 };

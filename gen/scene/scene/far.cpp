@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kLooks = 200;       // of a film, at most
 constexpr double kMargin = 0.06;  // radians beside what is in view
+constexpr double kPixels = 4e6;   // of a picture: a finer land would fill gigabytes
 
 /// The shortest range of directions that holds all: the complement of the widest gap between them.
 void take_range(FarView& view, std::vector<std::array<double, 2>> ranges) {
@@ -35,12 +36,14 @@ void take_range(FarView& view, std::vector<std::array<double, 2>> ranges) {
 FarView far_view(const Film& film, const Camera& camera) {
   FarView view;
   view.pixel = 1e9, view.eye = -1e9;
-  view.pixels = static_cast<double>(film.size[0]) * film.size[1];
+  double pixels = static_cast<double>(film.size[0]) * film.size[1];
+  view.pixels = std::min(pixels, kPixels);
+  double finer = std::sqrt(pixels / view.pixels);
   std::vector<std::array<double, 2>> ranges;
   for (int i = 0, looks = std::min(film.frames, kLooks); i < looks; ++i) {
     double time = film.time(1 + i * (film.frames - 1) / std::max(looks - 1, 1));
     Lens lens = lens_at(camera, time, film.aspect());
-    view.pixel = std::min(view.pixel, 2.0 * lens.wide / film.size[0]);
+    view.pixel = std::min(view.pixel, 2.0 * lens.wide / film.size[0] * finer);
     view.eye = std::max<double>(view.eye, lens.at.y);
     view.aside = std::max<double>(view.aside, glm::length(Vec2(lens.at.x, lens.at.z)));
     // The corners of the picture reach farther round where the camera looks up or down.
