@@ -14,6 +14,7 @@ namespace frond {
 namespace {
 
 constexpr float kSink = 0.004f;  // metres below what it lies on, at which snow of no depth is
+constexpr float kReach = 8;      // metres to the sides from which something shelters a place
 
 /// A direction that snow falls from, and how much of it.
 struct SnowFall {
@@ -42,10 +43,13 @@ CoverGrid::CoverGrid(Vec2 center, float side, float cell)
     : low_(center - side / 2),
       cell_(cell),
       side_(std::max(1, static_cast<int>(std::ceil(side / cell)))),
+      block_(static_cast<int>(std::ceil(kReach / cell))),
+      blocks_((side_ - 1) / block_ + 1),
       highest_(kBare) {
   auto count = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
   bottom_.assign(count, -kBare);
   top_.assign(count, kBare);
+  highest_of_.assign(static_cast<std::size_t>(blocks_) * static_cast<std::size_t>(blocks_), kBare);
 }
 
 bool CoverGrid::find(Vec2 at, std::size_t& index) const {
@@ -59,6 +63,9 @@ void CoverGrid::take(const Surface& body) {
   auto add = [&](std::size_t cell, float low, float high) {
     bottom_[cell] = std::min(bottom_[cell], low), top_[cell] = std::max(top_[cell], high);
     highest_ = std::max(highest_, high);
+    auto at = static_cast<int>(cell);
+    float& of_block = highest_of_[static_cast<std::size_t>(at / side_ / block_ * blocks_ + at % side_ / block_)];
+    of_block = std::max(of_block, high);
   };
   for (const auto& t : body.triangle) {
     std::array<Vec3, 3> p = corners_of(body, t);
@@ -76,10 +83,20 @@ float CoverGrid::top(Vec2 at, float none) const {
   return find(at, index) && top_[index] > kBare ? top_[index] : none;
 }
 
+float CoverGrid::highest_near(Vec2 at) const {
+  glm::ivec2 block(glm::floor(glm::floor((at - low_) / cell_) / static_cast<float>(block_)));
+  float highest = kBare;
+  for (int row = std::max(block.y - 1, 0); row <= std::min(block.y + 1, blocks_ - 1); ++row)
+    for (int column = std::max(block.x - 1, 0); column <= std::min(block.x + 1, blocks_ - 1); ++column)
+      highest = std::max(highest, highest_of_[static_cast<std::size_t>(row * blocks_ + column)]);
+  return highest;
+}
+
 float CoverGrid::openness(Vec3 at) const {
   static const std::vector<SnowFall> kFalls = falls();
-  constexpr float kReach = 8;  // metres to the sides
   constexpr float kOff = 0.02f;
+  float highest = highest_near({at.x, at.z});
+  if (at.y + kOff > highest) return 1;
   float open = 0, all = 0;
   for (const SnowFall& fall : kFalls) {
     float level = glm::length(Vec2(fall.from.x, fall.from.z)), rise = fall.from.y / std::max(level, 1e-3f);
@@ -92,7 +109,7 @@ float CoverGrid::openness(Vec3 at) const {
       Vec2 step = Vec2(fall.from.x, fall.from.z) / level;
       for (float far = 1.2f * cell_; far < kReach && !blocked; far += 0.7f * cell_) {
         float from = at.y + kOff + (far - 0.7f * cell_) * rise, to = at.y + kOff + far * rise;
-        if (from > highest_ || !find(Vec2(at.x, at.z) + far * step, cell)) break;
+        if (from > highest || !find(Vec2(at.x, at.z) + far * step, cell)) break;
         blocked = from < top_[cell] && to > bottom_[cell];
       }
     }

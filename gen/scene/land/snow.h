@@ -41,11 +41,15 @@ class CoverGrid {
 
  private:
   bool find(Vec2 at, std::size_t& index) const;
+  /// At least the highest place of all within the reach of openness().
+  float highest_near(Vec2 at) const;
 
   Vec2 low_;
   float cell_;
-  int side_;  // cells
+  int side_;            // cells
+  int block_, blocks_;  // cells of a block, blocks of the side
   std::vector<float> bottom_, top_;
+  std::vector<float> highest_of_;  // the blocks
   float highest_;
 };
 
