@@ -36,7 +36,7 @@ CopyPlan planned(const Scene& scene) {
   for (std::size_t s = 0; s < scene.stands.size(); ++s) {
     const SownStand& stand = scene.stands[s];
     for (int model = 0; model < stand.organism.sown->models; ++model) {
-      std::vector<Surfel> surfels = surfels_of(stand.dress.look, *grow_copy(stand.organism, model));
+      std::vector<Surfel> surfels = surfels_of(stand.appearance.look, *grow_copy(stand.organism, model));
       Views::add(plan, s, views.plan(s, model, surfels));
       plan.surfels[s].push_back(std::move(surfels));
     }
@@ -174,7 +174,7 @@ TEST(ModelBlocks, HoldAllOfAModelOnce) {
   }
   for (const Vec3& at : corners) EXPECT_LT(glm::distance(at, blocks.middle(blocks.of(at))), blocks.radius());
   EXPECT_EQ(ModelBlocks(std::vector<Vec3>{Vec3(0), Vec3(0, 4, 1)}).count(), 1);
-  for (const CopyPart& part : copy_parts(stand.dress.look, model, kLevels[2], &blocks)) {
+  for (const CopyPart& part : copy_parts(stand.appearance.look, model, kLevels[2], &blocks)) {
     ASSERT_EQ(part.block.size(), part.surface.triangle.size());
     double whole = area(part.surface), sum = 0;
     std::size_t triangles = 0;

@@ -57,7 +57,7 @@ TEST_F(GrowingCopies, AreNotThereBeforeTheyGrowAndAreTheirModelsWhenTheyHave) {
 
 TEST_F(GrowingCopies, GrowOnWithoutAJump) {
   auto tall = [&](double time) {
-    std::optional<Model> now = grown_by(*plan_.growing.at({0, 0}), scene_.stands[0].dress.motion, time);
+    std::optional<Model> now = grown_by(*plan_.growing.at({0, 0}), scene_.stands[0].appearance.motion, time);
     float top = 0;
     for (const Vec3& p : now ? now->skeleton.position : std::vector<Vec3>{}) top = std::max(top, p.y);
     return top;

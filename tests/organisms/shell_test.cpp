@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "appearance/shell_pigment.h"
 #include "core/parallel.h"
-#include "dress/shell_pigment.h"
 #include "organisms/shell/coil.h"
 #include "solidity.h"
 #include "solids.h"

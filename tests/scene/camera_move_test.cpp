@@ -113,7 +113,7 @@ TEST(GrowthToTheEnd, LastsUntilTheLastFrame) {
                                                     frames, defaults, growth),
                                         "test.json", {});
     EXPECT_TRUE(preset) << preset.errors().front().text();
-    return preset->organisms[0].grower->dress().motion.growth.duration;
+    return preset->organisms[0].grower->appearance().motion.growth.duration;
   };
   EXPECT_DOUBLE_EQ(duration(R"(, "growth": {"to_end": true})"), 2);
   EXPECT_DOUBLE_EQ(duration(R"(, "growth": {"to_end": true, "start": 0.5, "stagger": 0.25, "duration": 9})"),

@@ -211,7 +211,7 @@ TEST(SceneEdits, CopiesHaveBranchesOfAnotherBark) {
     Result<Model> model = grow_copy(organism, 0);
     ASSERT_TRUE(model);
     std::size_t woods = 0;
-    for (const CopyPart& part : copy_parts(copy_dress(organism).look, *model, {}))
+    for (const CopyPart& part : copy_parts(copy_appearance(organism).look, *model, {}))
       woods += part.kind == CopyPart::Kind::wood;
     EXPECT_EQ(woods, edits.empty() ? 1u : 2u);
   }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "appearance/skin_colors.h"
 #include "core/linear.h"
-#include "dress/skin_colors.h"
 #include "organisms/describe.h"
 #include "organisms/kinds.h"
 #include "preset/merge.h"
@@ -105,8 +105,8 @@ Result<GrownCoral> grow_first(const std::string& json, const std::string& name, 
   const auto& used = static_cast<const LoneGrower&>(rough ? *rough : *first.grower);
   Result<Model> model = used.grow_alone(planting.child("grow"));
   if (!model) return placed_in(document->root, model.errors());
-  Dress dress = first.grower->dress();
-  grown.look = dress.look;
+  Appearance appearance = first.grower->appearance();
+  grown.look = appearance.look;
   grown.model = std::move(*model);
   if (!grown.model.solids.shapes.empty()) grown.material = grown.model.solids.shapes[0].material;
   if (const std::optional<Skin>& skin = grown.look.branches.skin)

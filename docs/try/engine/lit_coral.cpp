@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "accretion/openness.h"
+#include "appearance/skin_colors.h"
 #include "core/bounds.h"
 #include "core/linear.h"
-#include "dress/skin_colors.h"
 #include "try/engine/answers.h"
 #include "try/engine/lit_tree.h"
 

@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
+#include "appearance/bark_coat.h"
 #include "cli/commands.h"
 #include "cli/inputs.h"
 #include "cli/streams.h"
 #include "core/files.h"
 #include "core/parallel.h"
 #include "core/printable.h"
-#include "dress/bark_coat.h"
 #include "images/bark.h"
 #include "images/leaf.h"
 
@@ -93,7 +93,7 @@ int write_textures(const TextureArguments& arguments) {
   tell_notes(preset->notes);
   bool any = false;
   for (std::size_t i = 0; i < preset->organisms.size(); ++i) {
-    Look look = preset->organisms[i].grower->dress().look;
+    Look look = preset->organisms[i].grower->appearance().look;
     if (!look.leaves && !look.branches.coat) continue;
     any = true;
     const std::string& own = preset->organisms[i].name;

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "appearance/appearance.h"
 #include "bake/bake.h"
-#include "dress/dress.h"
 #include "scene/scene.h"
 #include "studio/packet.h"
 

@@ -91,7 +91,7 @@ Result<std::shared_ptr<const DrawnPart>> ViewCache::model(const SownStand& stand
   if (auto kept = models_.find(name)) return kept;
   Result<Model> grown = grow_copy(stand.organism, which);
   if (!grown) return grown.errors();
-  auto part = std::make_shared<const DrawnPart>(model_part(stand.dress.look, *grown));
+  auto part = std::make_shared<const DrawnPart>(model_part(stand.appearance.look, *grown));
   models_.put(name, part, part->bytes());
   return part;
 }

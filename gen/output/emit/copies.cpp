@@ -87,7 +87,7 @@ class StandParts {
     ModelBlocks blocks = blocks_of(plan_.surfels[which_][static_cast<std::size_t>(model)]);
     ModelFile here;
     here.level = one.level, here.block = one.block;
-    const Look& look = stand_.dress.look;
+    const Look& look = stand_.appearance.look;
     const CopyDetail& detail = kLevels[one.level];
     std::vector<CopyPart> all = copy_parts(look, *now_, detail, &blocks, seasons_ ? &leaves_ : nullptr);
     Model worn;
@@ -112,7 +112,7 @@ class StandParts {
       leaves_ = copy_organs(stand_.organism, model, *now_, *seasons_, time_);
       return;
     }
-    Motion motion = stand_.dress.motion;
+    Motion motion = stand_.appearance.motion;
     motion.growth = *copy_growth(stand_.organism, film_, model);
     double front = growth_front(motion.growth, time_);
     front_ = std::min(front, 1.0);

@@ -182,7 +182,7 @@ std::string ModelText::file_text() const {
 
 std::vector<ModelText> model_texts(const std::vector<ModelFile>& files, const SownStand& stand,
                                    const Model& model, const ModelBlocks& blocks) {
-  const Look& look = stand.dress.look;
+  const Look& look = stand.appearance.look;
   std::vector<CopyPart> all = copy_parts(look, model, kLevels[files[0].level], &blocks);
   std::vector<ModelText> texts(files.size());
   parallel_for(files.size(), [&](std::size_t i) {

@@ -153,7 +153,7 @@ class Writer {
       const Specimen& b = scene.specimens[i];
       SownStand stand;
       stand.organism.name = b.name;
-      stand.dress.look = b.look;
+      stand.appearance.look = b.look;
       ModelFile file;
       file.level = level_at(heights[i], detail - 1);
       file.name = fmt::format("model_{}_{}.inc",

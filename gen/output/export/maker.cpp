@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "appearance/bleaching.h"
 #include "core/linear.h"
 #include "core/printable.h"
-#include "dress/bleaching.h"
 #include "export/bodies.h"
 #include "export/foliage.h"
 #include "geometry/far.h"

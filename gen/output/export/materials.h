@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "appearance/appearance.h"
 #include "bake/bake.h"
-#include "dress/dress.h"
 #include "export/export_scene.h"
 #include "organisms/organism.h"
 

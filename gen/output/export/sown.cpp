@@ -55,7 +55,7 @@ Result<std::vector<Value>> each_grown(const std::vector<SownModel>& models, cons
     const SownStand& stand = *models[i].stand;
     Result<Model> model = grow_copy(stand.organism, models[i].which);
     if (model)
-      values[i] = visit(stand.dress.look, *model);
+      values[i] = visit(stand.appearance.look, *model);
     else
       errors[i] = model.errors();
   });
@@ -146,7 +146,7 @@ Errors add_sown(Maker& maker, const Scene& scene, double time) {
     maker.begun.clear();
     for (SownShape& shape : (*shapes)[m]) {
       if (maker.whole_is_crossed()) break;
-      auto made = maker.mesh(std::to_string(models[m].which), parts_of(maker, stand.dress.look, shape));
+      auto made = maker.mesh(std::to_string(models[m].which), parts_of(maker, stand.appearance.look, shape));
       if (maker.level++ == 0) mesh = made;
     }
     maker.level = 0;

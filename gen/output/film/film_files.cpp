@@ -133,7 +133,7 @@ class ModelWriter {
     Result<Model> model = grow_copy(stand.organism, one.number, turns(one));
     if (!model) return model.errors();
     if (one.missing.empty()) {
-      one.summary.surfels = surfels_of(stand.dress.look, *model);
+      one.summary.surfels = surfels_of(stand.appearance.look, *model);
       if (Errors errors = write_summary(one); !errors.empty()) return errors;
       plan(one);
     }

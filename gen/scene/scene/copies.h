@@ -58,7 +58,7 @@ struct CopyPart {
 };
 
 /// What copies of a sown organism wear, with the barks that edits give to branches of them.
-Dress copy_dress(const Organism& organism);
+Appearance copy_appearance(const Organism& organism);
 
 /// Grows model `which` of a sown organism, its foot at the origin. A tree with `crowd` grows up among six
 /// neighbours. Its leaves are in the season that the film begins in, or in full leaf. What it is made of

@@ -19,7 +19,7 @@ Errors edit_faults(const Organism& organism) {
                       (edit.bare ? 1 : 0) + edit.bark.has_value();
     if (given != 1)
       add("", fmt::format("has {} of cut, bend, strength, bare and bark; expected one of them", given));
-    if (edit.bark && !grower.dress().look.branches.plant())
+    if (edit.bark && !grower.appearance().look.branches.plant())
       add("/bark", "is of plants; expected an edit of a kind whose branches have bark");
     if (edit.dated() && !grower.perennial())
       add("/cut", "names a year; expected true, or the kind tree, which grows over years");

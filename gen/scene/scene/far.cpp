@@ -76,7 +76,7 @@ SownStand& stand_named(Scene& scene, const Preset& preset, const std::string& na
   auto entry =
       std::ranges::find_if(preset.organisms, [&](const Organism& o) { return o.sown && o.name == name; });
   auto number = static_cast<std::size_t>(entry - preset.organisms.begin());
-  return scene.stands.emplace_back(SownStand{number, *entry, copy_dress(*entry), {}, {}});
+  return scene.stands.emplace_back(SownStand{number, *entry, copy_appearance(*entry), {}, {}});
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 #include <map>
 #include <utility>
 
+#include "appearance/mask_drawing.h"
 #include "core/cancellation.h"
-#include "dress/mask_drawing.h"
 #include "organisms/kinds.h"
 #include "preset/json.h"
 #include "scene/bounds.h"
@@ -309,7 +309,7 @@ Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, Specime
   note_growth(scene, preset);
   for (const Organism& organism : preset.organisms)
     if (organism.count > 0 || (organism.sown && (preset.stand || preset.stage.far))) {
-      Look look = organism.grower->dress().look;
+      Look look = organism.grower->appearance().look;
       add_other_barks(look.branches, organism.edits);
       std::ranges::move(drawings(look), std::back_inserter(scene.drawings));
     }

@@ -55,7 +55,7 @@ inline constexpr int kTints = 12;  ///< colours that copies of a stand come in
 struct SownStand {
   std::size_t entry = 0;                       ///< which of the preset's organisms
   Organism organism;                           ///< that one
-  Dress dress;                                 ///< what it wears
+  Appearance appearance;                       ///< what it wears
   std::shared_ptr<const WindField> wind = {};  ///< in which its copies sway; none: they do not
   Copies copies;
 

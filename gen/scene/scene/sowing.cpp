@@ -52,7 +52,7 @@ void sow_stands(Scene& scene, const Preset& preset, const Grounds& ground, std::
   for (std::size_t o = 0; o < preset.organisms.size(); ++o) {
     const Organism& organism = preset.organisms[o];
     if (!organism.sown || organism.count == 0) continue;
-    scene.stands.push_back({o, organism, copy_dress(organism), {}, {}});
+    scene.stands.push_back({o, organism, copy_appearance(organism), {}, {}});
     SowRules where = organism.sown->where;
     if (preset.stand) where.shade = {0, 1};  // which is that of the trees, and another in each year
     orders.push_back({std::move(where), organism.count, organism.place.size_variation, organism.sown->models,

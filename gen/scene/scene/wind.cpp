@@ -51,7 +51,7 @@ void blow(Scene& scene, const Preset& preset) {
     if (Specimen& s = scene.specimens[i]; in_wind(s.motion, scene.stage)) take_wind(s, field);
   });
   for (SownStand& stand : scene.stands)
-    if (sown_in_wind(stand.organism, stand.dress.motion, scene.stage)) stand.wind = field;
+    if (sown_in_wind(stand.organism, stand.appearance.motion, scene.stage)) stand.wind = field;
 }
 
 }  // namespace frond

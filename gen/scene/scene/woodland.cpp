@@ -148,7 +148,7 @@ class Library {
         stand.organism.grower = aged;
     stand.organism.sown->size = ModelSize{stature.height, stature.crown, kFlare * stature.diameter};
     stand.organism.sown->where.radius = stature.crown;
-    stand.dress = copy_dress(stand.organism);
+    stand.appearance = copy_appearance(stand.organism);
     return stand;
   }
 

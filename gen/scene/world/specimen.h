@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
+#include "appearance/appearance.h"
 #include "core/result.h"
 #include "creeping/crawl.h"
 #include "creeping/swing_paths.h"
-#include "dress/dress.h"
 #include "land/ground.h"
 #include "model/model.h"
 #include "motion/fall.h"

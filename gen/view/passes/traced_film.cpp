@@ -186,7 +186,8 @@ Errors TracedFilm::Parts::add_models() {
     int made = -1;
     std::vector<CopyPart> parts;
     for (auto [level, block] : each[i].second) {
-      if (made != level) parts = copy_parts(of.dress.look, *model, kLevels[level], &blocks), made = level;
+      if (made != level)
+        parts = copy_parts(of.appearance.look, *model, kLevels[level], &blocks), made = level;
       std::vector<Surface> surfaces;
       for (const CopyPart& part : parts)
         surfaces.push_back(block == ModelFile::kWhole ? part.surface : in_block(part, block));

@@ -181,7 +181,7 @@ void sample_others(const Sink& sink, const Scene& scene, double time) {
   sample_strewn(sink, scene.ground->strewn());
   const Surface round = ball();
   for (const SownStand& stand : scene.stands) {
-    Vec3 color = color_of(stand.dress.look);
+    Vec3 color = color_of(stand.appearance.look);
     auto wide = static_cast<float>(stand.organism.sown->where.radius),
          tall = std::clamp(static_cast<float>(stand.tallest()), 0.3f * wide, 9 * wide);
     float bare = tall > 3 * wide ? 0.3f * tall : 0;  // of a trunk
@@ -196,7 +196,7 @@ void sample_others(const Sink& sink, const Scene& scene, double time) {
       Quat turn = stand.copies.turn_at(i, time);
       to.surface(round, color, true, foot + turn * Vec3(0, scale.y * 0.5f * (tall + bare), 0), turn,
                  scale * Vec3(wide, 0.5f * (tall - bare), wide));
-      if (bare > 0) to.surface(trunk, stand.dress.look.branches.albedo(), true, foot, turn, scale);
+      if (bare > 0) to.surface(trunk, stand.appearance.look.branches.albedo(), true, foot, turn, scale);
     }
   }
 }

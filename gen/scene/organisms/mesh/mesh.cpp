@@ -65,10 +65,10 @@ class MeshGrower final : public Described<MeshParams, BodyBuilder> {
                                                   "second", "scale", "weathering"};
 
   Review review() const override { return {faults(), mesh_doubts(params)}; }
-  Dress dress() const override {
-    Dress dress;
-    dress.look.pictures = mesh_pictures(params);
-    return dress;
+  Appearance appearance() const override {
+    Appearance appearance;
+    appearance.look.pictures = mesh_pictures(params);
+    return appearance;
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
     SizeEstimate mesh;

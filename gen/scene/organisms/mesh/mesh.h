@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "appearance/appearance.h"
 #include "core/assets.h"
 #include "core/result.h"
-#include "dress/dress.h"
 #include "geometry/polygon_mesh.h"
 #include "model/model.h"
 

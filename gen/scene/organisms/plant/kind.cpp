@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "dress/describe.h"
-#include "dress/picture_bounds.h"
+#include "appearance/describe.h"
+#include "appearance/picture_bounds.h"
 #include "geometry/mesh_file.h"
 #include "grammar/figure.h"
 #include "grammar/kind.h"
@@ -245,16 +245,16 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
     constexpr auto steps = [](PlantParams& p) -> int& { return p.grammar.steps; };
     return fewer_steps<PlantGrower, PlantParams>(*this, share, steps, word_size);
   }
-  Dress dress() const override {
-    Dress dress;
-    dress.look.branches = {.bark = params.bark};
-    dress.look.blades = params.blades;
+  Appearance appearance() const override {
+    Appearance appearance;
+    appearance.look.branches = {.bark = params.bark};
+    appearance.look.blades = params.blades;
     for (const OrganParams& organ : params.organs)
-      if (organ.picture) dress.look.organs.push_back(*organ.picture);
-    dress.season = params.season;
-    dress.motion = {params.growth, params.wave, params.food, 1};
-    dress.variation = params.bark.variation;
-    return dress;
+      if (organ.picture) appearance.look.organs.push_back(*organ.picture);
+    appearance.season = params.season;
+    appearance.motion = {params.growth, params.wave, params.food, 1};
+    appearance.variation = params.bark.variation;
+    return appearance;
   }
   std::optional<Result<Grammar>> grammar() const override {
     if (params.grammar.cpfg) return std::nullopt;

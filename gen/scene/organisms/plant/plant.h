@@ -1,11 +1,11 @@
 #pragma once
 
+#include "appearance/appearance.h"
 #include "core/assets.h"
 #include "core/curve.h"
 #include "core/result.h"
 #include "core/seed.h"
 #include "cpfg/cpfg.h"
-#include "dress/dress.h"
 #include "geometry/girth.h"
 #include "grammar/grammar.h"
 #include "model/model.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "appearance/picture_bounds.h"
 #include "core/parallel.h"
-#include "dress/picture_bounds.h"
 #include "grove/age.h"
 #include "grove/edit_tree.h"
 #include "organisms/kinds.h"
@@ -101,16 +101,16 @@ class TreeGrower final : public Described<TreeParams, Grower>, public Perennial 
     tree.nodes_a_second = 1e7;  // those seconds are all
     return tree;
   }
-  Dress dress() const override {
-    Dress dress;
-    dress.look.branches = {.bark = params.bark, .coat = params.coat};
-    if (params.leaves.size > 0 && params.leaves.picture) dress.look.leaves = pictured_leaves(params);
-    dress.season = params.season;
-    dress.motion = {params.growth, params.wave, {}, 1, true};
+  Appearance appearance() const override {
+    Appearance appearance;
+    appearance.look.branches = {.bark = params.bark, .coat = params.coat};
+    if (params.leaves.size > 0 && params.leaves.picture) appearance.look.leaves = pictured_leaves(params);
+    appearance.season = params.season;
+    appearance.motion = {params.growth, params.wave, {}, 1, true};
     const Wood& wood = params.species.wood;
-    dress.motion.wood = SwayWood{wood.density, wood.stiffness, wood.leaf_mass};
-    dress.variation = params.bark.variation;
-    return dress;
+    appearance.motion.wood = SwayWood{wood.density, wood.stiffness, wood.leaf_mass};
+    appearance.variation = params.bark.variation;
+    return appearance;
   }
   std::optional<StormTime> storm_of(const Event& event) const override {
     const int cycles = cycles_of(params);
@@ -156,7 +156,7 @@ class TreeGrower final : public Described<TreeParams, Grower>, public Perennial 
       Specimen& tree = trees[i];
       tree.name = bed->organism->name;
       tree.entry = bed->entry;
-      put_on(tree, grower.dress(), world, planting->seed);
+      apply_appearance(tree, grower.appearance(), world, planting->seed);
       tree.placement.foot = planting->foot;
       Stand by{*sites[i].params,    grove.cycles,   world.filmed(),
                world.film_length(), world.ground(), planting->seed.child("look")};

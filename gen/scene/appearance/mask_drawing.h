@@ -1,7 +1,7 @@
 #pragma once
 
+#include "appearance/leaf_look.h"
 #include "core/mask.h"
-#include "dress/leaf_look.h"
 
 namespace frond {
 

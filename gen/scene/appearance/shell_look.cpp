@@ -1,15 +1,15 @@
-#include "dress/shell_look.h"
+#include "appearance/shell_look.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "appearance/describe_shell.h"
+#include "appearance/shell_pigment.h"
 #include "core/content.h"
 #include "core/linear.h"
 #include "core/noise.h"
-#include "dress/describe_shell.h"
-#include "dress/shell_pigment.h"
 #include "images/raster.h"
 #include "preset/keys.h"
 

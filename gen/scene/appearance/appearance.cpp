@@ -1,11 +1,11 @@
-#include "dress/dress.h"
+#include "appearance/appearance.h"
 
 #include <algorithm>
 #include <array>
 #include <iterator>
 
+#include "appearance/skin_colors.h"
 #include "core/linear.h"
-#include "dress/skin_colors.h"
 
 namespace frond {
 
@@ -19,8 +19,8 @@ Vec3 tip_of(const Skin& skin, Built built) {
 
 }  // namespace
 
-LeafLook leaves_of(const TreeDress& dress) {
-  return dress.season ? with_seasons(dress.leaves, *dress.season) : dress.leaves;
+LeafLook leaves_of(const TreeAppearance& appearance) {
+  return appearance.season ? with_seasons(appearance.leaves, *appearance.season) : appearance.leaves;
 }
 
 const Polyps* BranchLook::polyps() const {
@@ -181,15 +181,15 @@ Vec3 mean(const std::vector<Color>& colors) {
   return colors.empty() ? Vec3(0.2f) : sum / static_cast<float>(colors.size());
 }
 
-Dress dress_of(const TreeDress& tree, bool leafy) {
-  Dress dress;
-  dress.look.branches = {.bark = tree.bark, .coat = tree.coat};
-  if (leafy) dress.look.leaves = leaves_of(tree);
-  dress.season = tree.season;
-  dress.motion = {tree.growth, tree.wave, {}, 1};
-  dress.motion.wood.emplace();
-  dress.variation = tree.bark.variation;
-  return dress;
+Appearance tree_appearance(const TreeAppearance& tree, bool leafy) {
+  Appearance appearance;
+  appearance.look.branches = {.bark = tree.bark, .coat = tree.coat};
+  if (leafy) appearance.look.leaves = leaves_of(tree);
+  appearance.season = tree.season;
+  appearance.motion = {tree.growth, tree.wave, {}, 1};
+  appearance.motion.wood.emplace();
+  appearance.variation = tree.bark.variation;
+  return appearance;
 }
 
 std::vector<Drawing> drawings(const Look& look) {

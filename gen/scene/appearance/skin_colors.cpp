@@ -1,7 +1,7 @@
-#include "dress/skin_colors.h"
+#include "appearance/skin_colors.h"
 
+#include "appearance/bleaching.h"
 #include "core/linear.h"
-#include "dress/bleaching.h"
 
 namespace frond {
 

@@ -4,11 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "dress/bark_coat.h"
-#include "dress/fish_look.h"
-#include "dress/leaf_look.h"
-#include "dress/season.h"
-#include "dress/skin.h"
+#include "appearance/bark_coat.h"
+#include "appearance/fish_look.h"
+#include "appearance/leaf_look.h"
+#include "appearance/season.h"
+#include "appearance/skin.h"
 #include "geometry/tubes.h"
 #include "model/bark.h"
 #include "model/model.h"
@@ -109,7 +109,7 @@ struct Look {
 };
 
 /// Everything that an organism's parameters say about its appearance and motion.
-struct Dress {
+struct Appearance {
   Look look;
   Motion motion;
   std::optional<Seasons> season;  ///< of its leaves
@@ -117,7 +117,7 @@ struct Dress {
 };
 
 /// Appearance and motion of a tree whose leaves are pictures.
-struct TreeDress {
+struct TreeAppearance {
   Bark bark;                     ///< of branches drawn as sweeps
   std::optional<BarkCoat> coat;  ///< where given, branches are meshes with this picture
   LeafLook leaves;
@@ -127,9 +127,9 @@ struct TreeDress {
 };
 
 /// The leaves with the colours of all seasons.
-LeafLook leaves_of(const TreeDress& dress);
+LeafLook leaves_of(const TreeAppearance& appearance);
 
-Dress dress_of(const TreeDress& dress, bool leafy);
+Appearance tree_appearance(const TreeAppearance& appearance, bool leafy);
 
 /// The pictures that an organism of this look needs.
 std::vector<Drawing> drawings(const Look& look);

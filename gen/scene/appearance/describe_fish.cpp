@@ -1,4 +1,4 @@
-#include "dress/describe_fish.h"
+#include "appearance/describe_fish.h"
 
 namespace frond {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dress/dress.h"
+#include "appearance/appearance.h"
 #include "geometry/girth.h"
 #include "preset/describe.h"
 
@@ -27,6 +27,6 @@ void describe(Properties& v, BarkCoat& c);
 void describe(Properties& v, Blossom& b);
 void describe(Properties& v, Flowering& f);
 void describe(Properties& v, Seasons& s);
-void describe(Properties& v, TreeDress& d);
+void describe(Properties& v, TreeAppearance& d);
 
 }  // namespace frond

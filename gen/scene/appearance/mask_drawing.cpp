@@ -1,4 +1,4 @@
-#include "dress/mask_drawing.h"
+#include "appearance/mask_drawing.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "dress/bleaching.h"
+#include "appearance/bleaching.h"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
-#include "dress/bark_coat.h"
+#include "appearance/bark_coat.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
+#include "appearance/describe.h"
+#include "appearance/photographs.h"
 #include "core/content.h"
-#include "dress/describe.h"
-#include "dress/photographs.h"
 #include "images/bark_photo.h"
 #include "preset/keys.h"
 

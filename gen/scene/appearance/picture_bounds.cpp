@@ -1,4 +1,4 @@
-#include "dress/picture_bounds.h"
+#include "appearance/picture_bounds.h"
 
 #include <fmt/format.h>
 
@@ -38,8 +38,8 @@ Errors check_pictures(const std::optional<BarkCoat>& coat, const std::optional<L
   return errors;
 }
 
-Errors check_pictures(const TreeDress& dress) {
-  return check_pictures(dress.coat, dress.leaves, "/leaves/pixels");
+Errors check_pictures(const TreeAppearance& appearance) {
+  return check_pictures(appearance.coat, appearance.leaves, "/leaves/pixels");
 }
 
 }  // namespace frond

@@ -1,4 +1,4 @@
-#include "dress/shell_pigment.h"
+#include "appearance/shell_pigment.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
-#include "dress/dress.h"
+#include "appearance/appearance.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
+#include "appearance/skin_colors.h"
 #include "core/linear.h"
-#include "dress/skin_colors.h"
 
 namespace frond {
 namespace {

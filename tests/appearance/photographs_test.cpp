@@ -4,8 +4,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "appearance/describe.h"
 #include "core/files.h"
-#include "dress/describe.h"
 #include "images/leaf_photo.h"
 #include "preset/reader.h"
 

@@ -1,4 +1,4 @@
-#include "dress/describe.h"
+#include "appearance/describe.h"
 
 #include "core/assets.h"
 #include "preset/eases.h"
@@ -351,7 +351,7 @@ void describe(Properties& v, Seasons& s) {
   v.aspect(Aspect::look, "young", "autumn");
 }
 
-void describe(Properties& v, TreeDress& d) {
+void describe(Properties& v, TreeAppearance& d) {
   v.object("bark", d.bark, "The plain surface of branches, of twigs in any case");
   v.object("coat", d.coat, "A picture of bark on the trunk and the larger branches, which are meshes then");
   v.object("leaves", d.leaves, "The leaves");

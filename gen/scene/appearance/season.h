@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "appearance/leaf_look.h"
 #include "core/curve.h"
 #include "core/seed.h"
-#include "dress/leaf_look.h"
 #include "model/model.h"
 
 namespace frond {

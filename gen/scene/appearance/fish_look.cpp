@@ -1,12 +1,12 @@
-#include "dress/fish_look.h"
+#include "appearance/fish_look.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "appearance/describe_fish.h"
 #include "core/content.h"
-#include "dress/describe_fish.h"
 #include "preset/keys.h"
 
 namespace frond {

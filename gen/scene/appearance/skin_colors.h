@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dress/skin.h"
+#include "appearance/skin.h"
 
 // The colours of corals, linear, at brightness 1. Macros, exports and the studio's page take them from here.
 

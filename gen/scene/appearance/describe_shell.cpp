@@ -1,4 +1,4 @@
-#include "dress/describe_shell.h"
+#include "appearance/describe_shell.h"
 
 namespace frond {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dress/leaf_look.h"
+#include "appearance/leaf_look.h"
 
 namespace frond {
 

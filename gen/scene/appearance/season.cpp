@@ -1,4 +1,4 @@
-#include "dress/season.h"
+#include "appearance/season.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
-#include "dress/leaf_look.h"
+#include "appearance/leaf_look.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "appearance/describe.h"
+#include "appearance/photographs.h"
 #include "core/content.h"
-#include "dress/describe.h"
-#include "dress/photographs.h"
 #include "images/leaf_photo.h"
 #include "preset/keys.h"
 

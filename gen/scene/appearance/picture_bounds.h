@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "appearance/appearance.h"
 #include "core/result.h"
-#include "dress/dress.h"
 
 namespace frond {
 
@@ -11,6 +11,6 @@ namespace frond {
 /// the organism; `leaves_pointer` is that of the leaves' pixels.
 Errors check_pictures(const std::optional<BarkCoat>& coat, const std::optional<LeafLook>& leaves,
                       const char* leaves_pointer);
-Errors check_pictures(const TreeDress& dress);
+Errors check_pictures(const TreeAppearance& appearance);
 
 }  // namespace frond

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dress/fish_look.h"
+#include "appearance/fish_look.h"
 #include "preset/describe.h"
 
 // The properties of a fish as presets spell them; see preset/describe.h.

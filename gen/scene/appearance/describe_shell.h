@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dress/shell_look.h"
+#include "appearance/shell_look.h"
 #include "preset/describe.h"
 
 // The properties of the look of shells as presets spell them; see preset/describe.h.
