@@ -83,7 +83,7 @@ TEST(Preset, MistakesInRulesAreToldOnceByAFullPathToo) {
     EXPECT_EQ(first_of(rule), "/home/x.json:1:56: /organisms/0/grammar/rules/0");
 }
 
-TEST(Preset, DoubtsAreToldWithTheirPlace) {
+TEST(Preset, WarningsAreToldWithTheirPlace) {
   Preset preset = preset_of(R"({"organisms": [
   {"kind": "tree", "habit": {"branching_angle": 1.08}},
   {"kind": "coral", "pitch": 0.43},
@@ -98,13 +98,13 @@ TEST(Preset, DoubtsAreToldWithTheirPlace) {
       0u);
 }
 
-TEST(Preset, ShippedOnesRaiseNoDoubts) {
+TEST(Preset, ShippedOnesRaiseNoWarnings) {
   int tried = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(FROND_ROOT "/presets")) {
     if (entry.path().extension() != ".json" || entry.path().parent_path().filename() == "grammars") continue;
     Result<Preset> preset = read_preset(*read_file(entry.path()), entry.path().string(), {});
     ASSERT_TRUE(preset.ok()) << preset.errors()[0].text();
-    for (const Error& doubt : preset->notes) ADD_FAILURE() << doubt.text();
+    for (const Error& warning : preset->notes) ADD_FAILURE() << warning.text();
     ++tried;
   }
   EXPECT_GT(tried, 40);

@@ -16,10 +16,10 @@ const Value* Reader::take(std::string_view name) {
   return frame.value->find(name);
 }
 
-void Reader::doubt_radians(const Value& value, double found, double usual) {
+void Reader::warn_of_radians(const Value& value, double found, double usual) {
   bool small = found != 0 && std::abs(found) <= 1.6 && found != std::round(found);
   if (!small || std::abs(usual) < 10) return;
-  doubts_.add(
+  warnings_.add(
       {value.origin, pointer_,
        fmt::format("{:g} degrees are very few (usual are about {:g}); if radians were meant, write {:.1f}",
                    found, usual, degrees(found))});

@@ -139,7 +139,8 @@ std::vector<TreeDeath> deaths_of(const StandNow& now, const Canopy& canopy, int 
           seed.child("cut", tree.life).unit() < event.share)
         deaths[i] = {.cause = DeathCause::cut};
   });
-  blow(deaths, now.trees, now.species, canopy, gust_of(now, year, seed.child("gust")), seed.child("blow"));
+  add_storm_deaths(deaths, now.trees, now.species, canopy, gust_of(now, year, seed.child("gust")),
+                   seed.child("blow"));
   return deaths;
 }
 

@@ -51,7 +51,7 @@ class Compiler {
     if (!errors_.empty()) return errors_;
     grammar_.making.resize(grammar_.symbols.size());
     summarize();
-    grammar_.warnings = find_idle(grammar_);
+    grammar_.warnings = review_warnings(grammar_);
     for (const RuleSet* set : {&grammar_.rules, &grammar_.decomposition, &grammar_.interpretation})
       find_shadowed(*set, grammar_.warnings);
     return std::move(grammar_);

@@ -87,7 +87,7 @@ class FractintReader {
       errors_.push_back({"",
                          "F and G turn by + and -, D and M by \\ and /, each with a heading of their own; "
                          "both in one L-system cannot be had here"});
-    for (const auto& [sign, line] : idle_)
+    for (const auto& [sign, line] : meaningless_)
       g_.notes.push_back({fmt::format("line {}", line), fmt::format("`{}` means nothing to Fractint", sign)});
     g_.notes.push_back(
         {"file", fmt::format("Fractint asks for the order; {} is taken, --steps sets another", kUsualOrder)});
@@ -194,7 +194,7 @@ class FractintReader {
       return std::string(static_cast<std::size_t>(std::clamp(value.value_or(1), 0.0, 255.0)),
                          c == '<' ? '\'' : ',');
     std::string name = name_of(c);
-    if (name.empty()) idle_.try_emplace(c, line.number);
+    if (name.empty()) meaningless_.try_emplace(c, line.number);
     return name;
   }
 
@@ -212,7 +212,7 @@ class FractintReader {
   GrammarText g_;
   Line axiom_;
   std::map<char, std::vector<Part>> rules_;
-  std::map<char, int> idle_;
+  std::map<char, int> meaningless_;
   Errors errors_;
   int angles_ = 0;
   bool has_axiom_ = false, counted_ = false, absolute_ = false;

@@ -47,31 +47,31 @@ constexpr Scale kScales[] = {{"\"_", "stepscale", &GrammarText::length_scale},
                              {";@", "anglescale", &GrammarText::angle_scale}};
 
 /// Values that say how meshes are made, or that others here replace.
-constexpr std::string_view kIdle[] = {"type",
-                                      "rows",
-                                      "columns",
-                                      "cols",
-                                      "tension",
-                                      "branchblend",
-                                      "smooth",
-                                      "contangl",
-                                      "contlength",
-                                      "contwidth",
-                                      "inc",
-                                      "continuousangles",
-                                      "continuouslength",
-                                      "docolor",
-                                      "applycolor",
-                                      "uvincrement",
-                                      "groupprefix",
-                                      "grpprefix",
-                                      "continuouswidth",
-                                      "colormap",
-                                      "imagefile",
-                                      "pointwidth",
-                                      "dotexture",
-                                      "vertinc",
-                                      "pictop"};
+constexpr std::string_view kIgnored[] = {"type",
+                                         "rows",
+                                         "columns",
+                                         "cols",
+                                         "tension",
+                                         "branchblend",
+                                         "smooth",
+                                         "contangl",
+                                         "contlength",
+                                         "contwidth",
+                                         "inc",
+                                         "continuousangles",
+                                         "continuouslength",
+                                         "docolor",
+                                         "applycolor",
+                                         "uvincrement",
+                                         "groupprefix",
+                                         "grpprefix",
+                                         "continuouswidth",
+                                         "colormap",
+                                         "imagefile",
+                                         "pointwidth",
+                                         "dotexture",
+                                         "vertinc",
+                                         "pictop"};
 
 bool is_one_of(std::span<const std::string_view> names, std::string_view name) {
   return !name.empty() && std::ranges::find(names, name) != names.end();
@@ -150,7 +150,7 @@ class HoudiniReader {
       return fail_words(line), true;
     }
     if (name == "ignore" || name == "contextignore") return g_.ignore = value, true;
-    if (is_one_of(kIdle, name)) return note(fmt::format("`{}` has no effect here", label)), true;
+    if (is_one_of(kIgnored, name)) return note(fmt::format("`{}` has no effect here", label)), true;
     if (name == "generations") return take_steps(g_, number, line, errors_), true;
     if (name == "seed" || name == "randomseed" || name == "randseed")
       return take_count(g_.seed, number, kMostSeed, line, errors_), true;

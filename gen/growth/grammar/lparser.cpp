@@ -94,9 +94,9 @@ class LParserReader {
   void read_value(std::string_view name, std::string_view value, const Line& line) {
     if (name == "axiom") return void(axiom_ = read_word(value, line, grammar_.axiom));
     if (name == "rule") return read_rule(value, line);
-    for (std::string_view idle :
+    for (std::string_view ignored :
          {"min_thickness", "shape", "color", "poly_limit", "switch_yz", "trace", "no_wait"})
-      if (name == idle) return note(line, fmt::format("`{}` has no effect here", name));
+      if (name == ignored) return note(line, fmt::format("`{}` has no effect here", name));
     if (name == "trope" || name == "rand")
       return note(line, fmt::format("`{}` of lsuss has no effect here; {}", name,
                                     name == "rand" ? "~(x) turns by up to x degrees"

@@ -102,7 +102,7 @@ std::optional<Error> twin_letter(const Grammar& grammar, const Symbol& symbol, c
 }
 
 /// That nothing of the axiom is ever rewritten, though there are rules and steps.
-std::optional<Error> idle_axiom(const Grammar& grammar) {
+std::optional<Error> unused_axiom(const Grammar& grammar) {
   auto changes = [&](SymbolId symbol) {
     return std::ranges::any_of(grammar.symbols, [&](const Symbol& other) {
       auto id = static_cast<std::size_t>(&other - grammar.symbols.data());
@@ -210,7 +210,7 @@ Errors find_endless(const Grammar& grammar) {
   return {};
 }
 
-Errors find_idle(const Grammar& grammar) {
+Errors review_warnings(const Grammar& grammar) {
   Errors warnings = grammar.text.notes;
   if (grammar.text.mutations > 0)
     warnings.push_back({"mutate", "does nothing: only grammars of LParser are mutated"});
@@ -235,7 +235,7 @@ Errors find_idle(const Grammar& grammar) {
                                     column_of(made->text, made->at), symbol.name, made->text)});
     }
   }
-  if (std::optional<Error> idle = idle_axiom(grammar)) warnings.push_back(std::move(*idle));
+  if (std::optional<Error> unused = unused_axiom(grammar)) warnings.push_back(std::move(*unused));
   return warnings;
 }
 

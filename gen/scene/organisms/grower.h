@@ -136,7 +136,7 @@ struct GrowerTraits {
 /// What shows only after reading everything; each `where` is a JSON pointer below the organism.
 struct Review {
   Errors faults = {};
-  Errors doubts = {};  ///< valid, but probably not intended; they count only where there are no faults
+  Errors warnings = {};  ///< valid, but probably not intended; they count only where there are no faults
 };
 
 /// A storm in a film.

@@ -29,17 +29,17 @@ Errors edit_faults(const Organism& organism) {
   return errors;
 }
 
-Errors edit_doubts(const Organism& organism) {
-  Errors doubts;
+Errors edit_warnings(const Organism& organism) {
+  Errors warnings;
   for (std::size_t i = 0; i < organism.edits.size(); ++i) {
     const auto& plant = organism.edits[i].plant;
     if (plant && (organism.sown || *plant >= static_cast<std::size_t>(organism.count)))
-      doubts.push_back({fmt::format("/edits/{}/plant", i),
-                        organism.sown
-                            ? "does nothing: what is sown has copies only"
-                            : fmt::format("finds no plant: there are {}, counted from 0", organism.count)});
+      warnings.push_back({fmt::format("/edits/{}/plant", i),
+                          organism.sown
+                              ? "does nothing: what is sown has copies only"
+                              : fmt::format("finds no plant: there are {}, counted from 0", organism.count)});
   }
-  return doubts;
+  return warnings;
 }
 
 }  // namespace frond

@@ -131,7 +131,7 @@ Result<GroundPlan> plan_of(const PlanText& text) {
   return plan;
 }
 
-Errors furnish(Preset& preset, double reach, Faults& doubtful) {
+Errors furnish(Preset& preset, double reach, Faults& warnings) {
   Errors errors;
   for (std::size_t i = 0; i < preset.organisms.size(); ++i)
     if (const Place& place = preset.organisms[i].place; !place.in.empty() || !place.along.empty())
@@ -146,7 +146,7 @@ Errors furnish(Preset& preset, double reach, Faults& doubtful) {
     for (const Error& error : plan.errors()) errors.push_back(error);
   if (!errors.empty()) return errors;
   for (const Error& note : below("/plan", pointed(text.grammar, compile_plan(text)->warnings)))
-    doubtful.add({origin_at(*preset.written, note.where), note.where, note.what});
+    warnings.add({origin_at(*preset.written, note.where), note.where, note.what});
   std::ranges::move(areas_of(text, *plan), std::back_inserter(preset.stage.block<Garden>().areas));
   TakenSpots taken;
   std::vector<Seed> seeds = entry_seeds(preset, "plan");

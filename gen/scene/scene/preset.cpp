@@ -18,8 +18,8 @@
 #include "scene/describe.h"
 #include "scene/edit_checks.h"
 #include "scene/furnish.h"
-#include "scene/idle.h"
 #include "scene/named_preset.h"
+#include "scene/unused_properties.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -32,7 +32,7 @@ Fault organism_fault(const Value& organism, std::size_t index, std::string_view 
 
 /// Finds what is wrong with an organism as a whole and with where it stands: within `reach` metres.
 void check_organism(const Organism& organism, const Value& written, std::size_t index, double reach,
-                    Faults& faults, Faults& doubtful) {
+                    Faults& faults, Faults& warnings) {
   for (std::size_t i = 0; i < organism.place.at.size(); ++i)
     if (glm::length(organism.place.at[i]) > reach)
       faults.add(organism_fault(
@@ -48,9 +48,9 @@ void check_organism(const Organism& organism, const Value& written, std::size_t 
   };
   const Review review = organism.grower->review();
   add(faults, review.faults);
-  if (review.faults.empty()) add(doubtful, review.doubts);
+  if (review.faults.empty()) add(warnings, review.warnings);
   add(faults, edit_faults(organism));
-  add(doubtful, edit_doubts(organism));
+  add(warnings, edit_warnings(organism));
 }
 
 /// Why ivy cannot grow on what it names.
@@ -250,8 +250,8 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   pass_on_year(document->root);
   end_growth_with_film(document->root);
 
-  Faults faults, doubtful;
-  Result<Preset> preset = read_preset<Preset>(*document, &doubtful, &assets);
+  Faults faults, warnings;
+  Result<Preset> preset = read_preset<Preset>(*document, &warnings, &assets);
   if (!preset) return preset;
   preset->stage.camera = keyed_move(preset->stage.camera, preset->film);
   for (Event& event : preset->events)
@@ -260,21 +260,21 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   preset->files = std::move(read);
   preset->written = std::make_shared<const Value>(with_defaults(document->root));
   double reach = settings()[preset->stage.setting].answers.extent(preset->stage).reach;
-  for (Error& error : furnish(*preset, reach, doubtful))
+  for (Error& error : furnish(*preset, reach, warnings))
     faults.add({origin_at(*preset->written, error.where), error.where, std::move(error.what)});
   if (preset->stand) check_stand(*preset, faults);
   check_altitudes(*preset, faults);
   for (std::size_t i = 0; i < preset->organisms.size(); ++i) {
     const Value& written = preset->written->find("organisms")->items[i];
-    check_organism(preset->organisms[i], written, i, reach, faults, doubtful);
+    check_organism(preset->organisms[i], written, i, reach, faults, warnings);
   }
   check_hosts(*preset, faults);
   check_bounds(*preset, faults);
   check_stage(preset->stage, document->root, faults);
   check_named(*preset, document->root, faults);
   if (!faults.list().empty()) return faults.errors();
-  preset->notes = doubtful.errors();
-  for (Error& idle : idle_settings(*preset, file_name)) preset->notes.push_back(std::move(idle));
+  preset->notes = warnings.errors();
+  for (Error& unused : unused_properties(*preset, file_name)) preset->notes.push_back(std::move(unused));
   return preset;
 }
 

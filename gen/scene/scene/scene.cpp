@@ -255,7 +255,7 @@ Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, Specime
   ground->strew(taken);
   sow_stands(scene, preset, *ground, taken.list());
   if (preset.stand) draw_stand(scene, preset, *ground, stand_history(preset, *ground));
-  come_and_go(scene, preset);
+  set_copy_lifetimes(scene, preset);
   std::vector<Bed> beds = set_feet(preset, std::move(plots), *ground);
   watch.step();
 
@@ -275,7 +275,7 @@ Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, Specime
   scene.specimens = in_order(std::move(world).take_all(), preset);
   shade(scene.specimens);
   if (preset.film.frames > 1) feed(scene.specimens, preset.film.length());
-  blow(scene, preset);
+  add_wind(scene, preset);
   if (!preset.stage.camera.fit.empty() && scene.missing.empty()) {
     Camera moved = fitted(scene.stage.camera, outside_of(scene, preset.stage.camera.fit),
                           preset.film.aspect(), ground->heights());
@@ -315,7 +315,7 @@ Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, Specime
     }
   if (const Mask& grass = scene.stage.block<Meadow>().lawn.map; !grass.empty())
     scene.drawings.push_back(mask_drawing(grass));
-  if (Errors errors = take_styles(scene, preset); !errors.empty()) return errors;
+  if (Errors errors = resolve_styles(scene, preset); !errors.empty()) return errors;
   note_fit(scene);
   for (Specimen& s : scene.specimens) s.snowy = is_snowy(scene.stage), s.wet = is_rainy(scene.stage);
   if (snow) scene.specimens.push_back(std::move(*snow));

@@ -86,7 +86,7 @@ Copies present(const Copies& all, Vec2 part, const std::vector<Instant>& instant
 
 }  // namespace
 
-void come_and_go(Scene& scene, const Preset& preset) {
+void set_copy_lifetimes(Scene& scene, const Preset& preset) {
   if (!scene.stage.year) return;
   std::vector<Instant> instants = instants_of(scene.film, *scene.stage.year);
   std::vector<Seed> seeds = entry_seeds(preset, "season");

@@ -42,7 +42,7 @@ std::optional<WindField> wind_in(const Scene& scene, std::vector<Gale> gales) {
   return wind_field(*scene.stage.wind, scene.film.loop(), scene.seed.child("wind"), std::move(gales));
 }
 
-void blow(Scene& scene, const Preset& preset) {
+void add_wind(Scene& scene, const Preset& preset) {
   if (!scene.stage.wind) return;
   bool filmed = preset.film.frames > 1;
   auto field = std::make_shared<const WindField>(

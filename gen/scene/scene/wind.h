@@ -15,6 +15,6 @@ std::optional<WindField> wind_in(const Scene& scene, std::vector<Gale> gales = {
 
 /// Lets the trees of a grown scene sway in its wind, if it has one. Storms of its events blow at the second
 /// of the film at which their year passes for the first tree that grows in it.
-void blow(Scene& scene, const Preset& preset);
+void add_wind(Scene& scene, const Preset& preset);
 
 }  // namespace frond

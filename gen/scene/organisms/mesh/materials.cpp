@@ -211,48 +211,49 @@ std::vector<Drawing> mesh_pictures(const MeshParams& params) {
   return drawings;
 }
 
-Errors mesh_doubts(const MeshParams& params) {
-  Errors doubts;
-  if (!params.body) return doubts;
+Errors mesh_warnings(const MeshParams& params) {
+  Errors warnings;
+  if (!params.body) return warnings;
   const MeshBody& body = *params.body;
-  for (const std::string& note : body.notes) doubts.push_back({"/file", params.file.name + " " + note});
+  for (const std::string& note : body.notes) warnings.push_back({"/file", params.file.name + " " + note});
   if (body.lies)
-    doubts.push_back({"/file", params.file.name +
-                                   " looks as if it lay on its back; if z is up in it, write \"up\": \"z\""});
+    warnings.push_back(
+        {"/file",
+         params.file.name + " looks as if it lay on its back; if z is up in it, write \"up\": \"z\""});
   auto colored = +[](const MeshMaterial& m) { return m.color || is_pictured(m); };
   auto pictured = +[](const MeshMaterial& m) { return is_pictured(m); };
   auto unread = +[](const MeshMaterial& m) { return m.picture && !is_pictured(m); };
   auto sheer = +[](const MeshMaterial& m) { return m.opacity < kOpaque; };
   if (std::string list = listed(params, colored); params.own_color && !list.empty())
-    doubts.push_back(
+    warnings.push_back(
         {"/color", fmt::format("takes the place of the colours that the file gives its materials {}; "
                                "without it they have their own",
                                list)});
-  if (params.own_color) return doubts;
+  if (params.own_color) return warnings;
   if (std::string list = listed(params, pictured); params.own_matter && !list.empty())
-    doubts.push_back(
+    warnings.push_back(
         {"/matter", fmt::format("takes the place of the pictures that the file gives its materials {}; "
                                 "without it they wear them",
                                 list)});
   if (std::string list = listed(params, sheer); params.own_matter && !list.empty())
-    doubts.push_back(
+    warnings.push_back(
         {"/matter", fmt::format("is opaque, and the file lets light through its materials {}; without "
                                 "it they do",
                                 list)});
   if (std::string list = listed(params, unread); !list.empty())
-    doubts.push_back(
+    warnings.push_back(
         {"/file", fmt::format("{} has pictures of an unknown kind on its materials {}; expected PNG, JPEG or "
                               "WebP, and they have one colour now",
                               params.file.name, list)});
-  if (params.own_matter) return doubts;
+  if (params.own_matter) return warnings;
   for (const auto& [which, taken] : parts_of(body))
     if (which >= 0 && is_pictured(body.material[static_cast<std::size_t>(which)]) &&
         !has_texture(body, which))
-      doubts.push_back(
+      warnings.push_back(
           {"/file", fmt::format("{} gives its material \"{}\" a picture but not all of its corners "
                                 "texture coordinates; it has one colour",
                                 params.file.name, body.material[static_cast<std::size_t>(which)].name)});
-  return doubts;
+  return warnings;
 }
 
 }  // namespace frond

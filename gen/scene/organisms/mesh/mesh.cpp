@@ -64,7 +64,7 @@ class MeshGrower final : public Described<MeshParams, BodyBuilder> {
   static constexpr std::string_view kLeading[] = {"file",   "size",  "matter",    "color",
                                                   "second", "scale", "weathering"};
 
-  Review review() const override { return {faults(), mesh_doubts(params)}; }
+  Review review() const override { return {faults(), mesh_warnings(params)}; }
   Appearance appearance() const override {
     Appearance appearance;
     appearance.look.pictures = mesh_pictures(params);

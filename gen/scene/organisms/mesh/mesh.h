@@ -64,6 +64,6 @@ Result<Model> build_mesh_model(const MeshParams& params);
 std::vector<Drawing> mesh_pictures(const MeshParams& params);
 
 /// What of the file is not drawn, or may not be meant so. Pointers below the organism.
-Errors mesh_doubts(const MeshParams& params);
+Errors mesh_warnings(const MeshParams& params);
 
 }  // namespace frond

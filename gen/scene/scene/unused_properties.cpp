@@ -1,4 +1,4 @@
-#include "scene/idle.h"
+#include "scene/unused_properties.h"
 
 #include <fmt/format.h>
 
@@ -40,14 +40,14 @@ class Finder {
     const Value* scene = preset_.written->find("scene");
     const Value* setting = scene ? scene->find("setting") : nullptr;
     bool set = setting && setting->origin.line == 0;
-    for (const SettingRow& row : settings()) check_block(row.block, set);
-    check_block("floor", set);
-    check_block("snow", set);
-    check_block("rain", set);
-    check_block("year", set);
+    for (const SettingRow& row : settings()) note_block(row.block, set);
+    note_block("floor", set);
+    note_block("snow", set);
+    note_block("rain", set);
+    note_block("year", set);
     const Value* organisms = preset_.written->find("organisms");
     for (std::size_t i = 0; i < preset_.organisms.size(); ++i)
-      check(preset_.organisms[i], organisms->items[i], fmt::format("/organisms/{}", i));
+      note_organism(preset_.organisms[i], organisms->items[i], fmt::format("/organisms/{}", i));
     return notes_.errors();
   }
 
@@ -77,11 +77,11 @@ class Finder {
 
   /// A block of parameters of the scene, or what of it the setting does not heed. Where the setting comes
   /// from the command line (`set`), what the file has for its own setting is left out.
-  void check_block(std::string_view name, bool set) {
+  void note_block(std::string_view name, bool set) {
     std::string block = fmt::format("/{}", name);
     const Value* value = at(*preset_.written, "/scene" + block);
     if (!value) return;
-    auto idle = [&](const Value& what, const std::string& pointer, auto heed) {
+    auto note_unheeded = [&](const Value& what, const std::string& pointer, auto heed) {
       if (set && what.origin.line != 0) return;
       std::string names;
       for (const SettingRow& row : settings())
@@ -90,37 +90,37 @@ class Finder {
            fmt::format("the setting is {}; it is for {}", settings()[preset_.stage.setting].name, names));
     };
     const SettingRow& setting = settings()[preset_.stage.setting];
-    if (!reads_some(setting, block)) return idle(*value, block, reads_some);
+    if (!reads_some(setting, block)) return note_unheeded(*value, block, reads_some);
     for (const Member& member : value->members)
       if (std::string pointer = block + "/" + member.name; !reads(setting, pointer))
-        idle(member.value, pointer, reads);
+        note_unheeded(member.value, pointer, reads);
   }
 
-  void check(const Organism& organism, const Value& written, const std::string& pointer) {
-    auto idle = [&](std::string_view name, std::string_view why) {
+  void note_organism(const Organism& organism, const Value& written, const std::string& pointer) {
+    auto note_place = [&](std::string_view name, std::string_view why) {
       if (const Value* value = at(written, fmt::format("/place/{}", name)))
         note(*value, fmt::format("{}/place/{}", pointer, name), why);
     };
     bool ivy = organism.grower->traits().creeps();
     if (ivy || organism.sown)
       for (std::string_view name : kScatter)
-        idle(name,
-             ivy ? "ivy roots at place.at, or anywhere on its host" : "sown.where says where copies stand");
+        note_place(name, ivy ? "ivy roots at place.at, or anywhere on its host"
+                             : "sown.where says where copies stand");
     if (ivy)
-      for (std::string_view name : kStance) idle(name, "ivy takes the shape of its host");
+      for (std::string_view name : kStance) note_place(name, "ivy takes the shape of its host");
     if (!ivy && !organism.sown && organism.place.rock > 0 && !rocks_)
-      idle("rock", "rocks lie under water only");
+      note_place("rock", "rocks lie under water only");
     for (std::string_view name : {"on", "upright"})
       if (organism.sown || !organism.grower->traits().stands_on_bodies())
-        idle(name, "only corals and their like that are not sown stand on bodies");
-    check_body(organism, written, pointer);
+        note_place(name, "only corals and their like that are not sown stand on bodies");
+    note_body(organism, written, pointer);
     bool drawn = organism.grower->traits().branches && !organism.sown;
     find_unmet(written, [&](const Value& value, const std::string& at, std::string_view need) {
       if (!drawn && at.starts_with("/body/")) return;  // all of it does nothing
       note(value, pointer + at, fmt::format("it needs {}", need));
     });
-    check_motion(written, pointer, "wave", "amplitude");
-    if (!at(written, "/food/stretch")) check_motion(written, pointer, "food", "strength");
+    note_motion(written, pointer, "wave", "amplitude");
+    if (!at(written, "/food/stretch")) note_motion(written, pointer, "food", "strength");
     const Value* strength = at(written, "/food/strength");
     if (strength && strength->number > 0 && strength->number <= kRadians)
       add({strength->origin, pointer + "/food/strength",
@@ -129,7 +129,7 @@ class Finder {
   }
 
   /// How branches are drawn, where there are none.
-  void check_body(const Organism& organism, const Value& written, const std::string& pointer) {
+  void note_body(const Organism& organism, const Value& written, const std::string& pointer) {
     const Value* body = written.find("body");
     if (!body) return;
     if (!organism.grower->traits().branches || organism.sown)
@@ -139,8 +139,8 @@ class Finder {
   }
 
   /// What moves only by a number that nobody gave.
-  void check_motion(const Value& written, const std::string& pointer, std::string_view motion,
-                    std::string_view strength) {
+  void note_motion(const Value& written, const std::string& pointer, std::string_view motion,
+                   std::string_view strength) {
     const Value* value = written.find(motion);
     if (!value || value->members.empty() || value->find(strength)) return;
     note(*value, fmt::format("{}/{}", pointer, motion),
@@ -155,7 +155,7 @@ class Finder {
 
 }  // namespace
 
-Errors idle_settings(const Preset& preset, const std::string& file_name) {
+Errors unused_properties(const Preset& preset, const std::string& file_name) {
   return Finder(preset, file_name).find();
 }
 

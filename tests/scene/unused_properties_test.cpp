@@ -1,4 +1,4 @@
-#include "scene/idle.h"
+#include "scene/unused_properties.h"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ std::vector<std::string> notes_of(const std::string& text, const std::vector<std
 
 using Notes = std::vector<std::string>;
 
-TEST(IdleSettings, OfAnotherSurroundingAreNoted) {
+TEST(UnusedProperties, OfAnotherSurroundingAreNoted) {
   EXPECT_EQ(
       notes_of(R"({"scene": {"setting": "meadow",
  "water": {"visibility": 4}, "floor": {"relief": 0.1,
@@ -44,7 +44,7 @@ TEST(IdleSettings, OfAnotherSurroundingAreNoted) {
       (Notes{"p.json:1:51: /scene/meadow/sun: does nothing here: the setting is garden; it is for meadow"}));
 }
 
-TEST(IdleSettings, OfAnOrganismAreNoted) {
+TEST(UnusedProperties, OfAnOrganismAreNoted) {
   EXPECT_EQ(
       notes_of(R"({"scene": {"setting": "studio"}, "organisms": [
  {"kind": "coral", "place": {"rock": 0.4}}, {"kind": "coral", "place": {"rock": 0}},
@@ -57,7 +57,7 @@ TEST(IdleSettings, OfAnOrganismAreNoted) {
              "stand"}));
 }
 
-TEST(IdleSettings, HowToDrawBranchesThatThereAreNotIsNoted) {
+TEST(UnusedProperties, HowToDrawBranchesThatThereAreNotIsNoted) {
   EXPECT_EQ(
       notes_of(R"({"scene": {"setting": "forest"}, "organisms": [
  {"kind": "table", "body": "fused"}, {"kind": "coral", "body": "fused"}, {"kind": "rock", "body": {"voxel": 0.1}},
@@ -77,7 +77,7 @@ TEST(IdleSettings, HowToDrawBranchesThatThereAreNotIsNoted) {
       Notes{});
 }
 
-TEST(IdleSettings, WhatNeedsAnotherPropertyIsNoted) {
+TEST(UnusedProperties, WhatNeedsAnotherPropertyIsNoted) {
   EXPECT_EQ(
       notes_of(R"({"scene": {"setting": "meadow"}, "organisms": [
  {"kind": "rock", "weathering": {"dip": 20}}, {"kind": "rock", "weathering": {"dip": 20, "strata": 0.5}},
@@ -90,7 +90,7 @@ TEST(IdleSettings, WhatNeedsAnotherPropertyIsNoted) {
 }
 
 /// What a sentence says that a property needs is what is looked at.
-TEST(IdleSettings, SentencesOfNeedsAreUnderstood) {
+TEST(UnusedProperties, SentencesOfNeedsAreUnderstood) {
   int count = 0;
   for (const Topic& topic : topics_of(preset_schema())) {
     std::size_t at = topic.sentence.find("Needs ");
@@ -105,7 +105,7 @@ TEST(IdleSettings, SentencesOfNeedsAreUnderstood) {
   EXPECT_GT(count, 25);
 }
 
-TEST(IdleSettings, AStrengthInRadiansIsNoted) {
+TEST(UnusedProperties, AStrengthInRadiansIsNoted) {
   EXPECT_EQ(
       notes_of(
           R"({"defaults": {"food": {"strength": 0.8}}, "organisms": [{"kind": "coral"}, {"kind": "coral"}]})"),
@@ -114,7 +114,7 @@ TEST(IdleSettings, AStrengthInRadiansIsNoted) {
   EXPECT_EQ(notes_of(R"({"organisms": [{"kind": "coral", "food": {"strength": 20}}]})"), Notes{});
 }
 
-TEST(IdleSettings, DefaultsAndOverridesAreNoFalseAlarm) {
+TEST(UnusedProperties, DefaultsAndOverridesAreNoFalseAlarm) {
   EXPECT_EQ(
       notes_of(
           R"({"scene": {"setting": "studio"}, "defaults": {"place": {"rock": 0.4}, "wave": {"amplitude": 9}},
@@ -129,7 +129,7 @@ TEST(IdleSettings, DefaultsAndOverridesAreNoFalseAlarm) {
              "is for studio"}));
 }
 
-TEST(IdleSettings, NoneInThePresetsThatAreShipped) {
+TEST(UnusedProperties, NoneInThePresetsThatAreShipped) {
   int count = 0;
   for (const char* folder : {"/presets", "/tests/presets"}) {
     for (const auto& file : fs::recursive_directory_iterator(std::string(FROND_ROOT) + folder)) {
