@@ -24,7 +24,7 @@ Model at(const TreeParams& params, double year) {
   Seasons seasons = *params.season;
   seasons.at = year;
   in_season(model, seasons, 0, Seed{1}, [](double, double) { return 0.0; });
-  EXPECT_EQ(model.check(), "");
+  EXPECT_EQ(model.find_fault(), "");
   return model;
 }
 

@@ -24,7 +24,7 @@ TEST(Colonize, StaysInTheEnvelopeAndFillsIt) {
   how.jitter = 0;
   Result<Skeleton> s = colonize(ball, how, Seed{1});
   ASSERT_TRUE(s.ok());
-  EXPECT_EQ(s->check(), "");
+  EXPECT_EQ(s->find_fault(), "");
   EXPECT_GT(s->size(), 800u);
   for (std::size_t i = 0; i < s->size(); ++i) {
     Vec3 p = s->position[i];

@@ -41,7 +41,7 @@ TEST(RainStreaks, FallOnRoofsAndNotBelow) {
   roof.position = {{-2, 2, 1}, {2, 2, 1}, {2, 2, 5}, {-2, 2, 5}};
   roof.triangle = {{0, 1, 2}, {0, 2, 3}};
   CoverGrid bodies({0, 3}, 20, 0.1f);
-  bodies.take(roof);
+  bodies.add(roof);
   scene.overhead = std::make_shared<const CoverGrid>(std::move(bodies));
   EXPECT_EQ(below(), 0);
 }

@@ -127,7 +127,7 @@ double height_on(double rises, float radius, double time = 0) {
   Specimen s = branch(rises, radius);
   DrawList drawn(s, time);
   BoughSnow snow = bough_snow(drawn, time, 0.001);
-  EXPECT_EQ(snow.heaps.check(), "");
+  EXPECT_EQ(snow.heaps.find_fault(), "");
   double most = -1;
   for (Vec3 p : snow.heaps.position) most = std::max<double>(most, p.y - 2 - radius);
   return most;

@@ -180,7 +180,7 @@ TEST(ModelBlocks, HoldAllOfAModelOnce) {
     std::size_t triangles = 0;
     for (int b = 0; b < blocks.count(); ++b) {
       Surface some = in_block(part, b);
-      EXPECT_EQ(some.check(), "");
+      EXPECT_EQ(some.find_fault(), "");
       sum += area(some);
       triangles += some.triangle.size();
     }

@@ -27,7 +27,7 @@ TEST(CrownTree, WeberPennLeavesAreAsLargeAsTheirParametersSay) {
   WeberPennParams p = aspen();
   Result<Model> model = grow_weber_penn_tree(p, Seed{1});
   ASSERT_TRUE(model.ok());
-  EXPECT_EQ(model->check(), "");
+  EXPECT_EQ(model->find_fault(), "");
   ASSERT_GT(model->organs.size(), 50u);
   const Surface& leaf = model->prototypes[0].parts[0].surface;
   float wide = 0, high = 0;
@@ -49,7 +49,7 @@ TEST(CrownTree, ColonizedTreesFillTheirEnvelopeAndCarryWhatTheyBear) {
   p.thickness.least = 0.00001;
   Result<Model> model = grow_colonized_tree(p, Seed{4});
   ASSERT_TRUE(model.ok());
-  EXPECT_EQ(model->check(), "");
+  EXPECT_EQ(model->find_fault(), "");
   const Skeleton& s = model->skeleton;
   for (Vec3 at : s.position)
     EXPECT_LT(glm::length((at - Vec3(0, 3.2f, 0)) / Vec3(1.8f, 2, 1.8f)), at.y > 1.4f ? 1.2f : 9.0f);

@@ -24,7 +24,7 @@ PlantParams herb(const std::string& axiom, std::vector<std::string> rules, int s
 Model grown(const PlantParams& params) {
   Result<Model> model = grow_plant(params, Seed{7});
   EXPECT_TRUE(model.ok()) << (model ? "" : model.errors()[0].text());
-  EXPECT_EQ(model->check(), "");
+  EXPECT_EQ(model->find_fault(), "");
   return *model;
 }
 
@@ -168,7 +168,7 @@ TEST(Plant, GrowsThroughItsStepsWithoutAJump) {
   for (int frame = 1; frame <= kFrames; ++frame) {
     SCOPED_TRACE(frame);
     Model after = *grow_plant(params, Seed{7}, static_cast<double>(frame) / kFrames);
-    ASSERT_EQ(after.check(), "");
+    ASSERT_EQ(after.find_fault(), "");
     Sight a(before), b(after);
     EXPECT_NEAR(a.wood, b.wood, 8 * wood / kFrames);
     for (auto [id, j] : b.organ) {

@@ -23,7 +23,7 @@ TEST(BuildRock, MakesOneSolidALittleInTheGround) {
   params.stone.moss = 0.7;
   params.stone.variation = 0;
   Model model = *build_rock(params, Seed{1});
-  EXPECT_EQ(model.check(), "");
+  EXPECT_EQ(model.find_fault(), "");
   ASSERT_EQ(model.solids.size(), 1u);
   EXPECT_EQ(model.skeleton.size(), 0u);
   const Solid& rock = model.solids.shapes[0];
@@ -80,7 +80,7 @@ TEST(BuildPebbles, LayManyThatDiffer) {
   params.shapes = 5;
   params.number = 200;
   Model model = *build_pebbles(params, Seed{6});
-  EXPECT_EQ(model.check(), "");
+  EXPECT_EQ(model.find_fault(), "");
   const Solids& s = model.solids;
   EXPECT_TRUE(s.follow_ground);
   EXPECT_EQ(s.shapes.size(), 5u);

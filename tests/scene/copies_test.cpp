@@ -57,7 +57,7 @@ TEST(CopyParts, BecomeFewerAndKeepTheirLeaves) {
     std::vector<CopyPart> parts = copy_parts(o.grower->appearance().look, *model, {grain, 1e9});
     std::size_t now = 0;
     for (const CopyPart& part : parts) {
-      EXPECT_EQ(part.surface.check(), "");
+      EXPECT_EQ(part.surface.find_fault(), "");
       now += part.surface.triangle.size();
     }
     EXPECT_LT(now, triangles) << grain;

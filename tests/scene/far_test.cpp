@@ -34,7 +34,7 @@ TEST(FarLandOfScenes, TreesAreCopiesOfTheOrganismsThatAreNamed) {
   EXPECT_GT(scene.stands[0].copies.size(), 10u);
   for (const FarObject& o : scene.far->objects)
     EXPECT_TRUE(o.kind == FarKind::hedge || o.kind == FarKind::house);
-  EXPECT_EQ(scene.check(), "");
+  EXPECT_EQ(scene.find_fault(), "");
 }
 
 TEST(FarLandOfScenes, ViewHoldsAllThatAFilmSees) {

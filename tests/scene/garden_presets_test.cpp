@@ -30,7 +30,7 @@ std::vector<PlantParams> plants_of(const std::string& name) {
 Model grown(const PlantParams& plant) {
   Result<Model> model = grow_plant(plant, Seed{3});
   EXPECT_TRUE(model.ok()) << (model ? "" : model.errors()[0].text());
-  EXPECT_EQ(model->check(), "");
+  EXPECT_EQ(model->find_fault(), "");
   return *model;
 }
 

@@ -34,7 +34,7 @@ TEST(SceneRain, FillsHollowsOutsideOfThePond) {
   Scene scene = rainy_scene(R"(, "rain": {"fallen": 8})");
   const Specimen* water = water_of(scene);
   ASSERT_TRUE(water);
-  EXPECT_EQ(water->check(), "");
+  EXPECT_EQ(water->find_fault(), "");
   EXPECT_TRUE(
       std::ranges::all_of(scene.specimens, [](const Specimen& s) { return s.wet || s.name == "puddles"; }));
   for (const Vec3& p : water->model.solids.shapes[0].surface.position) {

@@ -193,7 +193,7 @@ TEST(Scene, RootsEveryCoral) {
 TEST(Reef, HasNoJumps) {
   // Over the whole film: between two frames no node moves more than 8 times the film's mean motion.
   Scene scene = *build_scene(preset_at("presets/thicket.json"));
-  for (const Specimen& b : scene.specimens) EXPECT_EQ(b.model.skeleton.check(), "") << b.name;
+  for (const Specimen& b : scene.specimens) EXPECT_EQ(b.model.skeleton.find_fault(), "") << b.name;
   double total = 0, count = 0;
   float most = 0;
   std::string worst;
@@ -293,13 +293,13 @@ TEST(Scene, IsWhatItPromises) {
     ASSERT_TRUE(preset.ok()) << preset.errors()[0].text();
     Result<Scene> scene = build_scene(*preset);
     ASSERT_TRUE(scene.ok()) << scene.errors()[0].text();
-    EXPECT_EQ(scene->check(), "") << name;
+    EXPECT_EQ(scene->find_fault(), "") << name;
     // What becomes another shape over the film is sound in the middle of it, too.
     for (const Specimen& s : scene->specimens) {
       if (!s.life.changes()) continue;
       auto now = developed(s, scene->film.length() / 2);
       ASSERT_TRUE(now.ok()) << now.errors()[0].text();
-      EXPECT_EQ((*now)->model.check(), "") << name;
+      EXPECT_EQ((*now)->model.find_fault(), "") << name;
     }
   }
 }

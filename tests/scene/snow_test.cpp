@@ -36,7 +36,7 @@ TEST(SceneSnow, IsThereOnlyWhereItIsAskedForUnderTheOpenSky) {
     Scene scene = scene_with(R"(, "snow": {"depth": 0.1})", setting);
     const Specimen* snow = snow_of(scene);
     ASSERT_TRUE(snow) << setting;
-    EXPECT_EQ(snow->check(), "");
+    EXPECT_EQ(snow->find_fault(), "");
     EXPECT_TRUE(
         std::ranges::all_of(scene.specimens, [](const Specimen& s) { return s.snowy || s.name == "snow"; }));
   }

@@ -109,7 +109,7 @@ TEST_F(Woodland, ThePictureBrightensAsCrownsClose) {
 }
 
 TEST_F(Woodland, DrawsEachLivingTreeOnceAsLargeAsItIs) {
-  EXPECT_TRUE(scene->check().empty()) << scene->check();
+  EXPECT_TRUE(scene->find_fault().empty()) << scene->find_fault();
   int drawn = 0;
   for (double year : {12.3, 40.1, 77.7, 99.9}) {
     auto all = seen(year);

@@ -83,7 +83,7 @@ class RawRows {
     return rows;
   }
 
-  Result<LightPicture> take(int first, int count) {
+  Result<LightPicture> read(int first, int count) {
     auto wide = static_cast<std::size_t>(png_->width());
     kept_.erase(kept_.begin(),
                 kept_.begin() + static_cast<std::ptrdiff_t>(wide * static_cast<std::size_t>(first - first_)));
@@ -144,12 +144,12 @@ Result<std::string> large_still(Resolver& resolver, const fs::path& raw, const F
   if (!rows) return rows.errors();
   PngWriter writer({film.size[0], film.size[1], 3, film.depth == 16 ? 16 : 8, 45455, {}});
   Errors errors =
-      resolver.still_in_bands([&](int first, int count) { return rows->take(first, count); }, band,
+      resolver.still_in_bands([&](int first, int count) { return rows->read(first, count); }, band,
                               [&](const LightPicture& light) {
                                 writer.add(seen_rows(light, film, tone));
                                 return Errors{};
                               });
-  return errors.empty() ? writer.take() : Result<std::string>(errors);
+  return errors.empty() ? writer.finish() : Result<std::string>(errors);
 }
 
 /// Rows of a still that are resolved at a time; 0: all of it. Through a lens samples come from all over the

@@ -23,9 +23,9 @@ class Album {
 
   void add(const std::string& name, const Raster& raster) {
     Result<std::string> bytes = png_text(raster);
-    if (!bytes) return take(bytes.errors());
+    if (!bytes) return add_errors(bytes.errors());
     Result<bool> written = write_file(folder_ / (name + ".png"), *bytes);
-    if (!written) return take(written.errors());
+    if (!written) return add_errors(written.errors());
     if (!quiet_) put((folder_ / (name + ".png")).string() + "\n");
   }
 
@@ -54,7 +54,7 @@ class Album {
   const Errors& errors() const { return errors_; }
 
  private:
-  void take(const Errors& errors) { errors_.insert(errors_.end(), errors.begin(), errors.end()); }
+  void add_errors(const Errors& errors) { errors_.insert(errors_.end(), errors.begin(), errors.end()); }
 
   fs::path folder_;
   bool quiet_;

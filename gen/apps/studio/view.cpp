@@ -87,13 +87,13 @@ void add_lists(Json& header, const Scene& scene, const Preset& preset) {
       std::size_t number = count[s.entry]++;
       const Organism& organism = preset.organisms[s.entry];
       if (number < organism.place.at.size() && !organism.grower->traits().creeps()) one["placed"] = number;
-      if (!boxes[i].empty()) of_entry[s.entry].take(boxes[i].low), of_entry[s.entry].take(boxes[i].high);
+      if (!boxes[i].empty()) of_entry[s.entry].extend(boxes[i].low), of_entry[s.entry].extend(boxes[i].high);
     }
     specimens.push_back(std::move(one));
   }
   for (const SownStand& stand : scene.stands) {
     copies[stand.entry] += stand.copies.size();
-    for (const Vec3& foot : stand.copies.foot) of_entry[stand.entry].take(foot);
+    for (const Vec3& foot : stand.copies.foot) of_entry[stand.entry].extend(foot);
   }
   Json entries = Json::array();
   for (std::size_t e = 0; e < preset.organisms.size(); ++e) {

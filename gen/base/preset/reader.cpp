@@ -9,7 +9,7 @@
 
 namespace frond {
 
-const Value* Reader::take(std::string_view name) {
+const Value* Reader::consume(std::string_view name) {
   Frame& frame = frames_.back();
   frame.names.push_back(name);
   if (!frame.value->is(Value::Type::object)) return name == frame.bare ? frame.value : nullptr;

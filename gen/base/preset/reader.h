@@ -139,7 +139,7 @@ class Reader : public Properties {
   std::optional<Animated<T>> keys_at(const Value& value, bool constant, Read read);
 
   /// The member of the object being read, recorded as a known name; nullptr if it is missing.
-  const Value* take(std::string_view name);
+  const Value* consume(std::string_view name);
   void enter(const Value& value) { frames_.push_back(Frame{&value}); }
   void leave();
   void member(std::string_view name, FunctionRef<void(const Value&)> read);

@@ -43,7 +43,7 @@ bool keep(Slot out, std::optional<T> read) {
 }  // namespace
 
 void Reader::member(std::string_view name, FunctionRef<void(const Value&)> read) {
-  const Value* value = take(name);
+  const Value* value = consume(name);
   if (!value) return;
   if (value == frames_.back().value) {
     read(*value);
@@ -234,7 +234,7 @@ bool Reader::tagged_at(const Value& value, Slot out, const KindTable& kinds) {
   std::optional<std::size_t> which = inside("kind", [&] { return name_at(*name, names); });
   if (!which) return false;
   return with_object(value, [&] {
-    take("kind");
+    consume("kind");
     out.type->describe(*this, out.at);
     kinds.describe(*which, *this, out);
   });

@@ -83,7 +83,7 @@ class Skin {
     }
   }
 
-  Accreted take() &&;
+  Accreted finish() &&;
 
  private:
   void grow(int layer);
@@ -198,7 +198,7 @@ Vec3 Skin::before(std::size_t step, std::uint32_t vertex, std::vector<Vec3>& kno
   return known[vertex] = (before(step, a, known, is_known) + before(step, b, known, is_known)) * 0.5f;
 }
 
-Accreted Skin::take() && {
+Accreted Skin::finish() && {
   Accreted made;
   look(true);
   std::vector<std::uint32_t> order, list = mesh_.living(order);
@@ -221,7 +221,7 @@ Accreted Skin::take() && {
 }  // namespace
 
 Accreted accrete(const Accretion& law, const AccretionWorld& world, Seed seed) {
-  return Skin(law, world, seed).take();
+  return Skin(law, world, seed).finish();
 }
 
 }  // namespace frond

@@ -116,7 +116,7 @@ class Compiler {
   }
 
   bool read_constant(const std::string& name, Cursor& reader) {
-    Constant constant{name, {}, reader.take("["), 0};
+    Constant constant{name, {}, reader.consume("["), 0};
     do {
       std::size_t start = reader.at;
       Expression formula = read_expression(reader, {{}, modules_.constants});
@@ -125,8 +125,9 @@ class Compiler {
       if (!reader.failed() && !std::isfinite(formula.value))
         reader.fail("this is not a finite number", start);
       constant.values.push_back(formula.value);
-    } while (constant.array && !reader.failed() && reader.take(","));
-    if (constant.array && !reader.failed() && !reader.take("]")) reader.fail("a `]` is missing", reader.at);
+    } while (constant.array && !reader.failed() && reader.consume(","));
+    if (constant.array && !reader.failed() && !reader.consume("]"))
+      reader.fail("a `]` is missing", reader.at);
     if (!reader.failed() && !reader.at_end()) reader.fail("this does not belong to the formula", reader.at);
     if (reader.failed()) return false;
     if (constant.array) {
@@ -317,7 +318,7 @@ class Compiler {
     auto names_of = [&](const std::string& text, std::string_view where) {
       std::vector<std::string_view> names;
       Cursor reader{text};
-      while (!reader.at_end() && !reader.failed()) names.push_back(modules_.take_name(reader));
+      while (!reader.at_end() && !reader.failed()) names.push_back(modules_.consume_name(reader));
       note(reader, where);
       return names;
     };

@@ -76,7 +76,7 @@ class FractintReader {
     g_.axiom.clear();
     for (const Line& line : entry.lines)
       if (std::optional<Error> odd = odd_sign(line)) errors_.push_back(std::move(*odd));
-    for (const Line& line : entry.lines) take_line(line);
+    for (const Line& line : entry.lines) read_line(line);
     if (!has_axiom_) errors_.push_back({"", fmt::format("the L-system `{}` has no axiom", entry.name)});
     if (!(angles_ > 0)) errors_.push_back({"", fmt::format("the L-system `{}` has no angle", entry.name)});
     if (!errors_.empty()) return std::move(errors_);
@@ -105,7 +105,7 @@ class FractintReader {
     errors_.push_back({place_in(line, part), std::move(what)});
   }
 
-  void take_line(const Line& line) {
+  void read_line(const Line& line) {
     std::size_t end = std::min(line.text.find_first_of(" \t="), line.text.size());
     std::string key = upper(line.text.substr(0, end));
     std::string_view value = trim(line.text.substr(end));

@@ -43,7 +43,7 @@ class SkeletonFile {
   SkeletonFile(std::string_view text, bool z_up) : z_up_(z_up) {
     for (Line line : lines_of(text)) {
       line.text = trim(line.text.substr(0, line.text.find('#')));
-      if (!line.text.empty()) take(line);
+      if (!line.text.empty()) read_node(line);
     }
     if (errors.empty() && nodes.empty())
       errors.push_back({"", "there is no node; expected lines of seven numbers"});
@@ -56,7 +56,7 @@ class SkeletonFile {
   Errors errors;
 
  private:
-  void take(const Line& line) {
+  void read_node(const Line& line) {
     std::vector<double> row = numbers_of(line.text, errors, line);
     if (!errors.empty()) return;
     if (row.size() < 7)

@@ -45,7 +45,7 @@ bool carries_pattern(const SownStand& stand, const Film& film) {
 
 /// Gives the prototypes of leaves the colours that these have now, as many of each as there are leaves of it:
 /// what has a look by places alone takes one of all colours.
-void take_colors(std::vector<Prototype>& prototypes, const Organs& now) {
+void set_leaf_colors(std::vector<Prototype>& prototypes, const Organs& now) {
   constexpr std::size_t kColors = 12;
   for (std::size_t p = 0; p < prototypes.size(); ++p) {
     std::vector<Color>& colors = prototypes[p].colors;
@@ -75,8 +75,8 @@ class StandParts {
 
   std::vector<std::string> parts;  ///< their names
 
-  /// Takes those of a model, of one level and block; `text` gets what has to be declared for them.
-  void take(std::string& text, int model, const Drawn& one) {
+  /// Selects those of a model, of one level and block; `text` gets what has to be declared for them.
+  void select(std::string& text, int model, const Drawn& one) {
     const ModelFile& file = plan_.file(which_, model, one);
     if (model_ != model) grow(model);
     std::string own = fmt::format("Growing{}_{}_{}_{}", which_, model, one.level, one.block + 1);
@@ -91,7 +91,7 @@ class StandParts {
     const CopyDetail& detail = kLevels[one.level];
     std::vector<CopyPart> all = copy_parts(look, *now_, detail, &blocks, seasons_ ? &leaves_ : nullptr);
     Model worn;
-    if (seasons_ && detail.plain) worn = *now_, take_colors(worn.prototypes, leaves_);
+    if (seasons_ && detail.plain) worn = *now_, set_leaf_colors(worn.prototypes, leaves_);
     add(own, append_parts(text, own, look, seasons_ && detail.plain ? worn : *now_, all, here));
   }
 
@@ -161,7 +161,7 @@ ObjectText stand_text(const PovSpace& space, const Scene& scene, const CopyPlan&
   for (const auto& [key, lines] : groups) {
     if (lines.empty()) continue;
     auto [model, level, block, tint, moss] = key;
-    made.take(text, model, {0, static_cast<std::int16_t>(block), static_cast<std::int16_t>(level)});
+    made.select(text, model, {0, static_cast<std::int16_t>(block), static_cast<std::int16_t>(level)});
     if (carries && !made.parts.empty()) append_front(text, made.front());
     for (std::string object : made.parts) {
       std::string look = object + fmt::format("_Look(Tint{}[{}])", which, tint);

@@ -33,7 +33,7 @@ int level_at(double height, int detail) {
 Bounds box_of(const Specimen& specimen) {
   Bounds box;
   for (const CopyPart& part : copy_parts(specimen.look, specimen.model, {0.01, 2e5}))
-    for (const Vec3& p : part.surface.position) box.take(p);
+    for (const Vec3& p : part.surface.position) box.extend(p);
   return box;
 }
 
@@ -62,13 +62,13 @@ class Writer {
     for (const Specimen& b : variant.scene.specimens) {
       Bounds own = box_of(b);
       heights.push_back(std::max(0.0f, own.size().y));
-      box_.take(own);
+      box_.extend(own);
     }
     for (const SownStand& stand : variant.scene.stands)
       for (std::size_t i = 0; i < stand.copies.size(); ++i) {
         auto wide = static_cast<float>(stand.organism.sown->where.radius);
-        box_.take(stand.copies.foot[i] + Vec3(-wide, 0, -wide));
-        box_.take(stand.copies.foot[i] + Vec3(wide, static_cast<float>(tall_of(stand)), wide));
+        box_.extend(stand.copies.foot[i] + Vec3(-wide, 0, -wide));
+        box_.extend(stand.copies.foot[i] + Vec3(wide, static_cast<float>(tall_of(stand)), wide));
       }
     shapes_ += fmt::format("#macro {}_Parts_{}()\n#local Frond_Unit = {};\n", what_.name, v,
                            number_text(parts.space.unit));

@@ -34,13 +34,13 @@ Bounds room_of(const Scene& scene, const Specimens& now, const Surfels& surfels,
   Bounds room;
   for (const auto& b : now) {
     const Model& m = b->model;
-    for (const Vec3& at : m.skeleton.position) room.take(at, 0.1f);
+    for (const Vec3& at : m.skeleton.position) room.extend(at, 0.1f);
     for (std::size_t i = 0; i < m.organs.size(); ++i)
-      room.take(m.organs.position[i],
-                std::max({m.organs.scale[i].x, m.organs.scale[i].y, m.organs.scale[i].z}));
-    for (const Vec3& at : fallen_nodes(*b)) room.take(at, 0.3f);
-    room.take(bounds_of(m.solids));
-    for (const Vec3& at : m.blades.surface.position) room.take(at);
+      room.extend(m.organs.position[i],
+                  std::max({m.organs.scale[i].x, m.organs.scale[i].y, m.organs.scale[i].z}));
+    for (const Vec3& at : fallen_nodes(*b)) room.extend(at, 0.3f);
+    room.extend(bounds_of(m.solids));
+    for (const Vec3& at : m.blades.surface.position) room.extend(at);
   }
   for (std::size_t s = 0; s < scene.stands.size(); ++s) {
     const Copies& copies = scene.stands[s].copies;
@@ -53,10 +53,10 @@ Bounds room_of(const Scene& scene, const Specimens& now, const Surfels& surfels,
     for (std::size_t i = 0; i < copies.size(); ++i)
       if (copies.there(i, time)) {
         Vec3 scale = copies.scale_at(i, time);
-        room.take(copies.foot[i], std::max(scale.x, scale.y) * reach[copies.model[i]]);
+        room.extend(copies.foot[i], std::max(scale.x, scale.y) * reach[copies.model[i]]);
       }
   }
-  for (const Vec3& at : scene.ground->floor().position) room.take(at, 0.2f);
+  for (const Vec3& at : scene.ground->floor().position) room.extend(at, 0.2f);
   Vec3 far(kFarthest, 1e6f, kFarthest);
   return {glm::max(room.low, -far), glm::min(room.high, far)};
 }
@@ -179,7 +179,7 @@ std::vector<Probe> far_probes(const DistantTerrain& far, const Ambience& ambienc
 
 SoftLight::Size estimate_light(const Scene& scene, double tall) {
   Bounds room;
-  for (const Vec3& at : scene.ground->floor().position) room.take(at, 0.2f);
+  for (const Vec3& at : scene.ground->floor().position) room.extend(at, 0.2f);
   if (room.empty()) room = {Vec3(-1, 0, -1), Vec3(1, 0, 1)};
   room.high.y += static_cast<float>(tall);
   Vec3 far(kFarthest, 1e6f, kFarthest);

@@ -30,7 +30,7 @@ Placement placement_of(const Organism& organism, const Planting& planting) {
 /// Round the bodies that come near to a model at its place, in its own space; empty where none does.
 Result<Detour> detour_near(const Model& model, const World& world, const Placement& p) {
   Bounds box;
-  for (Vec3 at : model.skeleton.position) box.take(p.foot + p.turn * (at * p.size), kNear);
+  for (Vec3 at : model.skeleton.position) box.extend(p.foot + p.turn * (at * p.size), kNear);
   Result<std::shared_ptr<const Obstacles>> bodies = world.obstacles();
   if (!bodies) return bodies.errors();
   if (!(*bodies)->near(box)) return Detour();

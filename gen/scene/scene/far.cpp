@@ -14,7 +14,7 @@ constexpr int kLooks = 200;       // of a film, at most
 constexpr double kMargin = 0.06;  // radians beside what is in view
 
 /// The shortest range of directions that holds all: the complement of the widest gap between them.
-void take_range(FarView& view, std::vector<std::array<double, 2>> ranges) {
+void set_range(FarView& view, std::vector<std::array<double, 2>> ranges) {
   std::ranges::sort(ranges);
   double end = ranges[0][1], gap = 0, first = ranges[0][0];
   for (const auto& [from, to] : ranges) {
@@ -54,7 +54,7 @@ FarView far_view(const Film& film, const Camera& camera) {
     from -= 2 * kPi * std::floor(from / (2 * kPi));
     ranges.push_back({from, from + 2 * half});
   }
-  take_range(view, std::move(ranges));
+  set_range(view, std::move(ranges));
   return view;
 }
 

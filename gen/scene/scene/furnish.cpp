@@ -59,7 +59,7 @@ void place_in(Organism& organism, const std::vector<PlanSite>& sites, TakenSpots
   auto stand = [&](const PlanSite& site, Vec2 at, const Stance& own = {}) {
     organism.place.at.push_back(at);
     organism.place.each.push_back({site.turn + own.turn, own.size});
-    taken.take({at, room});
+    taken.add({at, room});
   };
   for (std::size_t i = 0; i < sites.size(); ++i) {
     const PlanSite& site = sites[i];
@@ -95,7 +95,7 @@ void place_along(Organism& organism, const std::vector<PlanSite>& lines, TakenSp
     for (int i = 0; i < count; ++i) {
       place.at.push_back(point_in(line, Vec2(length * ((i + 0.5) / count - 0.5), 0)));
       place.each.push_back({line.turn});
-      taken.take({place.at.back(), static_cast<float>(room)});
+      taken.add({place.at.back(), static_cast<float>(room)});
     }
   }
 }

@@ -67,15 +67,15 @@ void check_hosts(const Preset& preset, Faults& faults) {
     if (!organism.name.empty() && !organism.sown && !organism.grower->traits().creeps())
       names.push_back(organism.name);
   for (std::size_t i = 0; i < preset.organisms.size(); ++i) {
-    auto check = [&](std::string_view pointer, const std::vector<std::string>& hosts) {
+    auto require_all = [&](std::string_view pointer, const std::vector<std::string>& hosts) {
       for (std::size_t k = 0; k < hosts.size(); ++k)
         if (std::ranges::find(names, hosts[k]) == names.end())
           faults.add(organism_fault(preset.written->find("organisms")->items[i], i,
                                     fmt::format("{}/{}", pointer, k), host_fault(hosts[k], names)));
     };
     const Organism& organism = preset.organisms[i];
-    if (const std::vector<std::string>* hosts = organism.grower->traits().hosts) check("/on", *hosts);
-    if (organism.grower->traits().stands_on_bodies()) check("/place/on", organism.place.on);
+    if (const std::vector<std::string>* hosts = organism.grower->traits().hosts) require_all("/on", *hosts);
+    if (organism.grower->traits().stands_on_bodies()) require_all("/place/on", organism.place.on);
   }
 }
 
@@ -84,7 +84,7 @@ void check_named(const Preset& preset, const Value& root, Faults& faults) {
   std::vector<std::string_view> names;
   for (const Organism& organism : preset.organisms)
     if (!organism.name.empty()) names.push_back(organism.name);
-  auto check = [&](const std::string& name, const std::string& pointer, std::string_view to) {
+  auto require_one = [&](const std::string& name, const std::string& pointer, std::string_view to) {
     if (std::ranges::find(names, name) != names.end()) return;
     std::string what = fmt::format("no organism \"{}\" to {}", name, to);
     what +=
@@ -94,15 +94,15 @@ void check_named(const Preset& preset, const Value& root, Faults& faults) {
   for (std::size_t i = 0; i < preset.events.size(); ++i) {
     const Event& event = preset.events[i];
     if (event.cut && !event.cut->entry.empty())
-      check(event.cut->entry, fmt::format("/events/{}/cut/entry", i), "fell");
+      require_one(event.cut->entry, fmt::format("/events/{}/cut/entry", i), "fell");
     if (event.prune && !event.prune->entry.empty())
-      check(event.prune->entry, fmt::format("/events/{}/prune/entry", i), "prune");
+      require_one(event.prune->entry, fmt::format("/events/{}/prune/entry", i), "prune");
   }
   const std::optional<Focus>& focus = preset.stage.camera.focus;
-  if (focus && !focus->organism.empty()) check(focus->organism, "/scene/camera/focus", "focus on");
+  if (focus && !focus->organism.empty()) require_one(focus->organism, "/scene/camera/focus", "focus on");
   names.insert(names.begin(), kFitAll);
   for (std::size_t i = 0; i < preset.stage.camera.fit.size(); ++i)
-    check(preset.stage.camera.fit[i], fmt::format("/scene/camera/fit/{}", i), "fit");
+    require_one(preset.stage.camera.fit[i], fmt::format("/scene/camera/fit/{}", i), "fit");
 }
 
 /// An organism that trees are to be drawn as and that is not there, or is not sown.
@@ -144,7 +144,7 @@ void check_altitudes(const Preset& preset, Faults& faults) {
 
 /// What would be too much of something.
 void check_bounds(const Preset& preset, Faults& faults) {
-  Errors errors = settings()[preset.stage.setting].answers.check(preset.stage, preset.film);
+  Errors errors = settings()[preset.stage.setting].answers.find_faults(preset.stage, preset.film);
   for (Error& error : errors) error.where.insert(0, "/scene");
   for (auto found : {too_much_together, without_room})
     for (Error& error : found(preset)) errors.push_back(std::move(error));

@@ -60,7 +60,7 @@ std::vector<PlacedEntry> find_places(const Preset& preset, const Extent& extent,
     plot.bed = {&organism, o, seeds[o], {}};
     if (organism.grower->traits().finds_own_place()) continue;
     auto room = static_cast<float>(room_of(place, extent));
-    for (Vec2 at : place.at) plot.spots.push_back({at, room}), taken.take(plot.spots.back());
+    for (Vec2 at : place.at) plot.spots.push_back({at, room}), taken.add(plot.spots.back());
     if (!place.on.empty()) continue;  // bodies are not there yet
     int more = organism.count - static_cast<int>(plot.spots.size());
     for (const Spot& spot :
@@ -216,9 +216,9 @@ std::size_t Scene::bytes() const {
   return bytes;
 }
 
-std::string Scene::check() const {
+std::string Scene::find_fault() const {
   for (const Specimen& s : specimens)
-    if (std::string fault = s.check(); !fault.empty()) return s.name + ": " + fault;
+    if (std::string fault = s.find_fault(); !fault.empty()) return s.name + ": " + fault;
   for (const SownStand& stand : stands) {
     const Copies& c = stand.copies;
     if (c.foot.size() != c.size() || c.turn.size() != c.size() || c.scale.size() != c.size() ||
@@ -228,7 +228,7 @@ std::string Scene::check() const {
       if (c.model[i] >= stand.organism.sown->models || c.tint[i] >= kTints || !(c.scale[i] > 0))
         return fmt::format("{}: copy {} is none of a model", stand.organism.name, i);
   }
-  return ground ? ground->floor().check() : "there is no ground";
+  return ground ? ground->floor().find_fault() : "there is no ground";
 }
 
 namespace {
@@ -272,7 +272,7 @@ Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, Specime
   scene.missing = std::move(grown->missing);
   std::ranges::move(grown->notes, std::back_inserter(scene.notes));
 
-  scene.specimens = in_order(std::move(world).take_all(), preset);
+  scene.specimens = in_order(std::move(world).release(), preset);
   shade(scene.specimens);
   if (preset.film.frames > 1) feed(scene.specimens, preset.film.length());
   add_wind(scene, preset);
@@ -320,7 +320,7 @@ Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, Specime
   for (Specimen& s : scene.specimens) s.snowy = is_snowy(scene.stage), s.wet = is_rainy(scene.stage);
   if (snow) scene.specimens.push_back(std::move(*snow));
   if (water) scene.specimens.push_back(std::move(*water));
-  assert(scene.check().empty());
+  assert(scene.find_fault().empty());
   return scene;
 }
 

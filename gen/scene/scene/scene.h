@@ -90,7 +90,7 @@ struct Scene {
   std::size_t bytes() const;
 
   /// Checks all invariants: one line for the first fault, empty when all is well.
-  std::string check() const;
+  std::string find_fault() const;
 };
 
 /// Functions by which build_scene() tells how far it is.

@@ -168,7 +168,7 @@ void load_boughs(Scene& scene, const Preset& preset) {
 
 CoverGrid bodies_overhead(const Scene& scene) {
   CoverGrid bodies(seen_ground(scene.stage.camera, scene.film.length()).first, 2 * kAround, 0.08f);
-  for (const Surface& skin : skins_of(scene)) bodies.take(skin);
+  for (const Surface& skin : skins_of(scene)) bodies.add(skin);
   return bodies;
 }
 

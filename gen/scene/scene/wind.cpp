@@ -48,7 +48,7 @@ void add_wind(Scene& scene, const Preset& preset) {
   auto field = std::make_shared<const WindField>(
       *wind_in(scene, filmed ? gales_of(preset, scene.stage.wind->gusts) : std::vector<Gale>{}));
   parallel_for(scene.specimens.size(), [&](std::size_t i) {
-    if (Specimen& s = scene.specimens[i]; in_wind(s.motion, scene.stage)) take_wind(s, field);
+    if (Specimen& s = scene.specimens[i]; in_wind(s.motion, scene.stage)) set_wind(s, field);
   });
   for (SownStand& stand : scene.stands)
     if (sown_in_wind(stand.organism, stand.appearance.motion, scene.stage)) stand.wind = field;

@@ -218,7 +218,7 @@ struct SettingAnswers {
   std::vector<std::string_view> reads;
   Extent (*extent)(const Stage&);
   /// Errors that show only after reading everything; each `where` is a JSON pointer below the scene.
-  Errors (*check)(const Stage&, const Film&);
+  Errors (*find_faults)(const Stage&, const Film&);
   GroundSizeEstimate (*estimate_size)(const Stage&, const Film&);
   /// Makes the ground, larger than `reach` metres from the middle.
   std::unique_ptr<Grounds> (*lay)(const Stage&, const Film&, double reach, Seed);

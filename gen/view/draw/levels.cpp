@@ -97,7 +97,7 @@ bool Views::shades(const std::vector<Eye>& eyes, Vec3 from, float radius) const 
 std::vector<int> Views::levels_of(const std::vector<Eye>& eyes, const ModelBlocks& blocks, Vec3 foot,
                                   Quat turn, float scale) const {
   Bounds box;
-  for (int b = 0; b < blocks.count(); ++b) box.take(blocks.middle(b));
+  for (int b = 0; b < blocks.count(); ++b) box.extend(blocks.middle(b));
   float around = scale * (glm::distance(box.low, box.middle()) + blocks.radius());
   float radius = scale * blocks.radius();
   std::vector<int> level(static_cast<std::size_t>(blocks.count()), kLevelCount);

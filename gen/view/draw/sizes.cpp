@@ -33,17 +33,17 @@ double stem_of(const Skeleton& s, const Pose& pose, double height) {
 Bounds box_of(const DrawList& drawn) {
   Bounds box;
   for (std::size_t i = 0; i < drawn.pose.position.size(); ++i)
-    if (drawn.pose.radius[i] > 0) box.take(drawn.pose.position[i], drawn.pose.radius[i]);
-  auto take = [&box](const Surface& surface, const OrganPlace& place) {
-    for (const Vec3& p : surface.position) box.take(place.at + place.turn * (place.scale * p));
+    if (drawn.pose.radius[i] > 0) box.extend(drawn.pose.position[i], drawn.pose.radius[i]);
+  auto extend = [&box](const Surface& surface, const OrganPlace& place) {
+    for (const Vec3& p : surface.position) box.extend(place.at + place.turn * (place.scale * p));
   };
   for (const OrganGroup& group : drawn.organs.groups)
     for (const OrganPlace& place : drawn.organs.places(group))
-      for (const OrganPart& part : drawn.model.prototypes[group.prototype].parts) take(part.surface, place);
+      for (const OrganPart& part : drawn.model.prototypes[group.prototype].parts) extend(part.surface, place);
   for (const DrawnBlades& blades : drawn.blades)
-    for (const Vec3& p : blades.surface.position) box.take(p);
+    for (const Vec3& p : blades.surface.position) box.extend(p);
   for (const DrawnBody& body : drawn.bodies)
-    for (const OrganPlace& place : body.places) take(body.surface(), place);
+    for (const OrganPlace& place : body.places) extend(body.surface(), place);
   return box;
 }
 

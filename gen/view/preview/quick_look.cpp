@@ -271,13 +271,13 @@ class FloorDepth {
 ToSun sun_over(const Scene& scene, Vec3 toward, Pixels& pixels) {
   Bounds box;
   for (const Specimen& s : scene.specimens) {
-    box.take(bounds_of(s.model));
-    for (const Vec3& at : fallen_nodes(s)) box.take(at);
+    box.extend(bounds_of(s.model));
+    for (const Vec3& at : fallen_nodes(s)) box.extend(at);
   }
   Vec3 eye = scene.stage.camera.location.at(0);
   for (const SownStand& stand : scene.stands)
     for (const Vec3& p : stand.copies.foot)
-      if (glm::distance(p, eye) < 80) box.take(p), box.take(p + Vec3(0, stand.tallest(), 0));
+      if (glm::distance(p, eye) < 80) box.extend(p), box.extend(p + Vec3(0, stand.tallest(), 0));
   if (box.empty()) box = {Vec3(-1), Vec3(1)};
   ToSun sun{{}, {}, toward, box.middle(), 0.5f * glm::length(box.size()) + 0.01f, pixels};
   sun.right = glm::normalize(glm::cross(reference_axis(toward), toward));

@@ -168,7 +168,7 @@ void Resolver::add_rows(std::vector<std::vector<RawSample>>& rows, const Raw& ra
   });
 }
 
-Errors Resolver::still_in_bands(const RowSource& raw, int band, const RowTaker& take) {
+Errors Resolver::still_in_bands(const RowSource& raw, int band, const RowReceiver& receive) {
   constexpr int kAround = 8;  // rows beside a band in which samples lie that it takes
   assert(scene_.film.frames == 1 && !scene_.stage.camera.aperture);
   Result<const TracedFrame*> found = traced(1);
@@ -184,7 +184,7 @@ Errors Resolver::still_in_bands(const RowSource& raw, int band, const RowTaker& 
     std::vector<std::vector<RawSample>> rows;
     add_rows(rows, *found_spots(1, now, std::move(*light), fine * around.first), now, 0);
     SampleGrid grid(width, height, around, rows);
-    if (Errors errors = take(gathered(grid, now, options_, own)); !errors.empty()) return errors;
+    if (Errors errors = receive(gathered(grid, now, options_, own)); !errors.empty()) return errors;
   }
   return {};
 }

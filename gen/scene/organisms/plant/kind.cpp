@@ -123,7 +123,7 @@ void describe(Properties& v, PlantGrammar& g) {
 
 void describe(Properties& v, PlantParams& p) {
   v.object("grammar", p.grammar, "The rules that it grows by");
-  if (v.purpose() == Purpose::reading) take_colors(p);
+  if (v.purpose() == Purpose::reading) use_model_colors(p);
   v.required("grammar");
   v.number("height", p.height, {.min = 0, .max = 1000, .unit = "m"},
            "Height that the whole is scaled to; 0 leaves it as the turtle draws it");
@@ -141,7 +141,7 @@ void describe(Properties& v, PlantParams& p) {
   v.boolean("by_steps", p.by_steps,
             "Whether growth runs through the derivation steps instead of along the finished branches");
   if (asks(p.grammar)) v.aspect(Aspect::shape, "food", "growth");
-  if (v.purpose() == Purpose::reading) take_surfaces(p);
+  if (v.purpose() == Purpose::reading) use_model_surfaces(p);
 }
 
 namespace {

@@ -18,8 +18,8 @@ namespace {
 Bounds box_of(const Figure& f) {
   Bounds box = bounds_of(f.skeleton.position);
   for (const Outline& o : f.outlines)
-    for (const Vec3& p : o.points) box.take(p);
-  for (const Site& s : f.sites) box.take(s.position);
+    for (const Vec3& p : o.points) box.extend(p);
+  for (const Site& s : f.sites) box.extend(s.position);
   return box.empty() ? Bounds{Vec3(0), Vec3(0)} : box;
 }
 

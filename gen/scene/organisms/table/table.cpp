@@ -44,7 +44,7 @@ std::vector<Socket> draw_sockets(const Sheet& sheet, double spacing, Seed seed) 
       Seed lot = seed.child(dart).child(t);
       Vec3 w(drawn_weights(lot.child("u").unit(), lot.child("v").unit()));
       auto [a, b, c] = sheet.triangle[t];
-      if (darts.take(sheet.position[a] * w.x + sheet.position[b] * w.y + sheet.position[c] * w.z))
+      if (darts.try_add(sheet.position[a] * w.x + sheet.position[b] * w.y + sheet.position[c] * w.z))
         sockets.push_back({t, w});
     }
   return sockets;
