@@ -20,8 +20,8 @@ const Scene& rainy_meadow(double rate, double wind = 0) {
     if (!preset) ADD_FAILURE() << preset.errors().front().text();
     return *build_scene(*preset);
   }();
-  scene.stage.rain->rate = rate;
-  scene.stage.wind = wind > 0 ? std::optional(Wind{.speed = wind, .direction = {1, 0, 0}}) : std::nullopt;
+  scene.setup.rain->rate = rate;
+  scene.setup.wind = wind > 0 ? std::optional(Wind{.speed = wind, .direction = {1, 0, 0}}) : std::nullopt;
   return scene;
 }
 

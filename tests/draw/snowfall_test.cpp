@@ -24,8 +24,8 @@ Scene& snowy_meadow(double falling, double wind = 0) {
     if (!preset) ADD_FAILURE() << preset.errors().front().text();
     return *build_scene(*preset);
   }();
-  scene.stage.snow.falling = falling;
-  scene.stage.wind = wind > 0 ? std::optional(Wind{.speed = wind, .direction = {1, 0, 0}}) : std::nullopt;
+  scene.setup.snow.falling = falling;
+  scene.setup.wind = wind > 0 ? std::optional(Wind{.speed = wind, .direction = {1, 0, 0}}) : std::nullopt;
   return scene;
 }
 

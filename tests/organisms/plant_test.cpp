@@ -127,7 +127,7 @@ TEST(Plant, PipesAddUpAtEveryFork) {
 TEST(Plant, HasTheHeightAskedFor) {
   PlantParams params = herb("F", {"F -> F[+F]F[-F][F]"}, 4, 20);
   params.height = 1.7;
-  params.stand = Stand::middle;
+  params.origin = PlantOrigin::middle;
   Model model = grown(params);
   float low = 1e9f, high = -1e9f;
   for (const Vec3& p : model.skeleton.position) low = std::min(low, p.y), high = std::max(high, p.y);

@@ -21,8 +21,8 @@ Camera filmed(const std::string& move) {
                       kFrames, move),
                   "test.json", {});
   EXPECT_TRUE(preset) << preset.errors().front().text();
-  EXPECT_FALSE(preset->stage.camera.move);
-  return preset->stage.camera;
+  EXPECT_FALSE(preset->setup.camera.move);
+  return preset->setup.camera;
 }
 
 /// The longest way and the largest change of it from frame to frame, the first again behind the last.

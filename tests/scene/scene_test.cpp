@@ -246,7 +246,7 @@ TEST(Garden, GrowsNoGrassInPondAndPath) {
     Vec2 at(patch.at.x, patch.at.z);
     EXPECT_GT(lawn_of.plot().pond_distance(at), 0);
     EXPECT_GT(lawn_of.plot().path_distance(at), 0);
-    double side = 0.4 / (1 << patch.shape / (kTurfShapes * kTurfStands));
+    double side = 0.4 / (1 << patch.shape / (kTurfShapes * kTurfMixtures));
     lawn += side * side;
   }
   for (const Patch& patch : lawn_of.gravel_patches) {

@@ -102,7 +102,7 @@ TEST_F(Woodland, PrunedTreesHaveAnotherModel) {
 }
 
 TEST_F(Woodland, ThePictureBrightensAsCrownsClose) {
-  const Animated<double>& closed = *scene->stage.closed;
+  const Animated<double>& closed = *scene->setup.closed;
   EXPECT_LT(closed.at(at(1)), 0.05);
   EXPECT_GT(closed.at(at(50)), 0.15);  // the camera stands at the edge
   EXPECT_LE(closed.at(at(50)), 1.0);

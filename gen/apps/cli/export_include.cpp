@@ -67,7 +67,7 @@ Result<IncludeVariant> grow_variant(const Preset& preset, const fs::path& out) {
   Preset bare = preset;
   // What is sown follows the land; all else stands on flat ground.
   auto sown = [](const Organism& organism) { return organism.sown.has_value(); };
-  if (std::ranges::none_of(preset.organisms, sown)) bare.stage.setting = row_of("studio");
+  if (std::ranges::none_of(preset.organisms, sown)) bare.setup.setting = row_of("studio");
   Result<Scene> scene = build_scene(bare);
   if (!scene) return scene.errors();
   IncludeVariant variant = include_variant(std::move(*scene));

@@ -197,7 +197,7 @@ void Scenes::add_tiles(const Scene& scene) {
       keep(tile_of(look, look.color_of(k)), kDrawing,
            [&] { return tile_drawing(look, bake_, look.color_of(k)); });
   };
-  add(scene.stage, kDrawing);
+  add(scene.setup, kDrawing);
   for (const Specimen& specimen : scene.specimens) {
     if (specimen.model.skeleton.size() > 1) add_barks(specimen.look.branches);
     for (const Solid& solid : specimen.model.solids.shapes)

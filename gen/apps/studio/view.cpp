@@ -154,7 +154,7 @@ void add_ground(const Scene& scene, const Daylight& light, std::vector<DrawnPart
     add(scene.ground->floor(), floor);
     if (auto colors = floor_colors(scene, light.ground, floor); !colors.empty())
       parts.back().add("/colors", colors);
-    if (std::optional<Tile> tile = tile_of(scene.stage))
+    if (std::optional<Tile> tile = tile_of(scene.setup))
       parts.back().head["material"]["tile"] = json_of(*tile);
   } else {
     constexpr float kHalf = 60;  // metres
@@ -297,8 +297,8 @@ Errors add_copies(const Scene& scene, const ViewRequest& request, ViewCache& mod
 Result<std::string> view_of(const Scene& scene, const Preset& preset, const ViewRequest& request,
                             ViewCache& models, Json header) {
   std::vector<DrawnPart> parts;
-  const SettingRow& setting = settings()[scene.stage.setting];
-  Daylight light = daylight_of(stage_at(scene.stage, request.time));
+  const SettingRow& setting = settings()[scene.setup.setting];
+  Daylight light = daylight_of(setup_at(scene.setup, request.time));
   if (!request.solo) add_ground(scene, light, parts);
   if (Errors errors = add_specimens(scene, request, models, parts); !errors.empty()) return errors;
   if (Errors errors = add_copies(scene, request, models, parts); !errors.empty()) return errors;
@@ -309,11 +309,11 @@ Result<std::string> view_of(const Scene& scene, const Preset& preset, const View
   header["film"] = film_json(scene.film);
   header["nodes"] = scene.nodes();
   header["copies"] = copies;
-  header["camera"] = camera_json(scene.stage.camera, request.time);
-  header["camera"]["way"] = way_json(scene.stage.camera, scene.film);
+  header["camera"] = camera_json(scene.setup.camera, request.time);
+  header["camera"]["way"] = way_json(scene.setup.camera, scene.film);
   header["light"] = light_json(light);
   header["setting"] = setting.name;
-  header["land"] = setting.answers.extent(scene.stage).sown;
+  header["land"] = setting.answers.extent(scene.setup).sown;
   Json food = Json::array();
   for (const FoodLeft& meal : food_places(scene.specimens, request.time)) food.push_back(json_of(meal.at));
   header["food"] = std::move(food);

@@ -22,7 +22,7 @@ bool holds(const Expression& formula, const Test& test) {
                      [&](const Instruction& i) { return test(i.op); });
 }
 
-bool draws(const Expression& formula) {
+bool is_random(const Expression& formula) {
   return holds(formula, [](Op op) { return op == Op::rand || op == Op::nrand; });
 }
 
@@ -376,8 +376,8 @@ class Compiler {
         g.context_free &= rule.context_free();
         g.limited |= rule.limit != GrammarText::kUnlimited;
         g.single &= rule.always();
-        g.stochastic |= rule.weighted || draws(rule.condition);
-        for (const Expression& argument : rule.arguments) g.stochastic |= draws(argument);
+        g.stochastic |= rule.weighted || is_random(rule.condition);
+        for (const Expression& argument : rule.arguments) g.stochastic |= is_random(argument);
       }
     }
     for (const auto& of : g.rules.of) g.single &= of.size() <= 1;

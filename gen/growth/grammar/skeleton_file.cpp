@@ -144,7 +144,7 @@ class SkeletonWord {
 
   double width(const SwcNode& node) const { return 2 * (node.radius > 0 ? node.radius : least_); }
 
-  void draw(std::size_t from, std::size_t to) {
+  void add_segment(std::size_t from, std::size_t to) {
     DVec3 way = nodes_[to].at - nodes_[from].at;
     double length = glm::length(way);
     if (!(length > 0)) return void(word += fmt::format("!({:.9g})", width(nodes_[to])));
@@ -162,7 +162,7 @@ class SkeletonWord {
       if (piece.sign != 0) {
         word += piece.sign;
       } else {
-        draw(piece.from, piece.to);
+        add_segment(piece.from, piece.to);
         go_on(piece.to, pieces);
       }
     }

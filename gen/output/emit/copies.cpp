@@ -167,7 +167,7 @@ ObjectText stand_text(const PovSpace& space, const Scene& scene, const CopyPlan&
       std::string look = object + fmt::format("_Look(Tint{}[{}])", which, tint);
       if (moss > 0)
         look += fmt::format(" texture{{Copy_Moss({})}}", number_text(moss / double{kMossSteps}, 3));
-      look += weather_over(is_snowy(scene.stage), is_rainy(scene.stage), Wetting::leaf);
+      look += weather_over(is_snowy(scene.setup), is_rainy(scene.setup), Wetting::leaf);
       if (carries) {
         object += " scale ";
         append(object, unit, 6);

@@ -335,7 +335,7 @@ std::string light_name(int frame) { return frame_name(frame) + ".rca"; }
 Result<FrameCount> write_frame(const Scene& scene, const FrameParts& parts, std::string_view layout,
                                int frame, const Out& out, int exposure) {
   const Film& film = scene.film;
-  const Camera& camera = scene.stage.camera;
+  const Camera& camera = scene.setup.camera;
   int all = exposure > 0 ? exposures(film, camera) : 1;
   double time = exposure > 0 ? exposure_time(film, camera, frame, exposure) : film.time(frame);
   Errors errors;

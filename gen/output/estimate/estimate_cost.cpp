@@ -95,7 +95,7 @@ double model_bytes(const Preset& preset, const Organism& organism, const SizeEst
   constexpr double kWoodNode = 100, kPart = 540;
   constexpr double kFarthest = 200;  // metres, where copies stand all over the land
   const SowRules& where = organism.sown->where;
-  const Camera& camera = preset.stage.camera;
+  const Camera& camera = preset.setup.camera;
   double reach = where.reach > 0 ? where.reach : kFarthest;
   Vec3 middle(where.center.x, 0, where.center.y);
   double away = 1e30;  // the camera at its nearest
@@ -146,7 +146,7 @@ WoodCostEstimate estimate_wood_cost(const Organism& organism, const SizeEstimate
 double pixel_at(const Preset& preset, const Organism& organism, double tall, double reach) {
   Vec2 foot = organism.place.at.empty() ? organism.place.center : organism.place.at[0];
   Vec3 middle(foot.x, static_cast<float>(organism.place.raise + tall / 2), foot.y);
-  return nearest_pixel(eyes(preset.film, preset.stage.camera), middle, reach);
+  return nearest_pixel(eyes(preset.film, preset.setup.camera), middle, reach);
 }
 
 /// Triangles of a body that are written: no finer than the camera sees them.
@@ -258,7 +258,7 @@ void Sums::add_sown(const Preset& preset, std::size_t o, const SizeEstimate& siz
   // Copies that are too far or out of view are left out.
   double lines = 0.4 * count * 2.5 * kPlacement;
   bool sways = (trees > 0 || appearance.motion.wave.amplitude > 0 ||
-                sown_in_wind(organism, appearance.motion, preset.stage)) &&
+                sown_in_wind(organism, appearance.motion, preset.setup)) &&
                preset.film.frames > 1;
   (sways ? text : still) += lines;
   f.scene_memory += 40 * count;
@@ -305,7 +305,7 @@ Result<Sums> sums_of(const Preset& preset, FilmPart part) {
   MaskCostEstimate masks = estimate_masks(preset);
   sums.f.scene_memory = masks.held;
   sums.growing = masks.read;
-  if (const Mask& grass = preset.stage.block<Meadow>().lawn.map; !grass.empty())
+  if (const Mask& grass = preset.setup.block<Meadow>().lawn.map; !grass.empty())
     sums.add_drawing(mask_drawing(grass), sums.growing);
   const double shaded = left_in_shade(preset);
   const std::vector<Seed> seeds = entry_seeds(preset, "organism");
@@ -360,16 +360,16 @@ Result<CostEstimate> estimate_cost(const Preset& preset, FilmPart part) {
   f.frames = part.count();
   f.resolve_memory = estimate_resolving(preset);
   f.tracing_disk = estimate_tracing_disk(preset.film);
-  f.exposures = exposures(preset.film, preset.stage.camera);
+  f.exposures = exposures(preset.film, preset.setup.camera);
   f.scene_memory += kProgram + ground.memory;
   f.growth_seconds += kStart + ground.seconds;
   sums->still += ground.bytes;
   f.scene_memory += 2 * (sums->still + sums->materials);
   f.frame_memory += kFrameBuffers + sums->body_memory;
-  bool rains = is_rainy(preset.stage) && highest(preset.stage.rain->rate) > 0;
-  sums->text += kStreaksText * (rains + (is_snowy(preset.stage) && highest(preset.stage.snow.falling) > 0));
-  bool fills = is_rainy(preset.stage) && !preset.stage.rain->fallen.constant();
-  bool each = (sums->changing || sun_moves(preset.stage) || fills) && preset.film.frames > 1;
+  bool rains = is_rainy(preset.setup) && highest(preset.setup.rain->rate) > 0;
+  sums->text += kStreaksText * (rains + (is_snowy(preset.setup) && highest(preset.setup.snow.falling) > 0));
+  bool fills = is_rainy(preset.setup) && !preset.setup.rain->fallen.constant();
+  bool each = (sums->changing || sun_moves(preset.setup) || fills) && preset.film.frames > 1;
   f.growth_memory = f.scene_memory + std::max(sums->growing, each ? 0 : ground.light_memory);
   if (each) f.frame_memory += ground.light_memory;
   (each ? f.frame_seconds : f.growth_seconds) += ground.light_seconds;

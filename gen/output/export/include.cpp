@@ -308,7 +308,7 @@ std::string include_name(std::string_view file) {
 IncludeVariant include_variant(Scene scene) {
   IncludeVariant variant;
   std::erase_if(scene.specimens, [](const Specimen& b) { return b.entry == Traits::kNoEntry; });
-  scene.stage.setting = row_of("studio");
+  scene.setup.setting = row_of("studio");
   std::set<std::tuple<std::size_t, int, int>> files;
   for (int detail = 0; detail < kIncludeDetails; ++detail) {
     CopyPlan plan;

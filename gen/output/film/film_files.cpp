@@ -237,7 +237,7 @@ Errors write_drawings(const Scene& scene, const fs::path& folder, const Progress
 }
 
 Errors write_light(const Scene& scene, FrameParts& parts, const fs::path& folder) {
-  if (!has_soft_light(scene.stage)) return {};
+  if (!has_soft_light(scene.setup)) return {};
   if (light_changes(scene, parts.pixel)) {
     parts.light = kOwnLight;
     return {};
@@ -253,7 +253,7 @@ Errors write_light(const Scene& scene, FrameParts& parts, const fs::path& folder
 Result<FrameFile> write_frame_file(const Scene& scene, const FrameParts& parts, const std::string& layout,
                                    const fs::path& folder, int frame, int exposure) {
   double time =
-      exposure > 0 ? exposure_time(scene.film, scene.stage.camera, frame, exposure) : scene.film.time(frame);
+      exposure > 0 ? exposure_time(scene.film, scene.setup.camera, frame, exposure) : scene.film.time(frame);
   if (parts.light == kOwnLight && exposure <= 1) {
     Result<std::string> light =
         soft_light_text(parts.space, scene, parts.plan.surfels, scene.film.time(frame), true);

@@ -201,7 +201,7 @@ bool light_changes(const Scene& scene, std::span<const double> pixel) {
   auto turns = [&](const SownStand& s) {
     return !s.copies.span.empty() || copy_seasons(s.organism, scene.film);
   };
-  if (sun_moves(scene.stage) || std::ranges::any_of(scene.specimens, changes) ||
+  if (sun_moves(scene.setup) || std::ranges::any_of(scene.specimens, changes) ||
       std::ranges::any_of(scene.stands, turns))
     return true;
   std::atomic<bool> leaves = false;

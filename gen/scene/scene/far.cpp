@@ -60,11 +60,11 @@ FarView far_view(const Film& film, const Camera& camera) {
 
 std::optional<DistantTerrain> far_land_round(const Scene& scene, Seed seed) {
   GroundEdge edge = scene.ground->edge();
-  if (edge.radius <= 0 || (!scene.stage.far && !edge.country)) return std::nullopt;
-  FarLandShape shape = scene.stage.far.value_or(FarLandShape{});
+  if (edge.radius <= 0 || (!scene.setup.far && !edge.country)) return std::nullopt;
+  FarLandShape shape = scene.setup.far.value_or(FarLandShape{});
   if (shape.reach <= edge.radius) return std::nullopt;
-  shape.shaded = shaded_side(scene.stage);
-  return distant_terrain(shape, edge, far_view(scene.film, scene.stage.camera), seed);
+  shape.shaded = shaded_side(scene.setup);
+  return distant_terrain(shape, edge, far_view(scene.film, scene.setup.camera), seed);
 }
 
 namespace {
@@ -82,8 +82,8 @@ SownStand& stand_named(Scene& scene, const Preset& preset, const std::string& na
 }  // namespace
 
 void plant_far_trees(Scene& scene, const Preset& preset, DistantTerrain& far, Seed seed) {
-  if (!scene.stage.far || scene.stage.far->trees.empty()) return;
-  const std::vector<std::string>& names = scene.stage.far->trees;
+  if (!scene.setup.far || scene.setup.far->trees.empty()) return;
+  const std::vector<std::string>& names = scene.setup.far->trees;
   auto is_tree = [](const FarObject& o) {
     return o.kind == FarKind::broadleaf || o.kind == FarKind::conifer;
   };

@@ -98,11 +98,11 @@ void check_named(const Preset& preset, const Value& root, Faults& faults) {
     if (event.prune && !event.prune->entry.empty())
       require_one(event.prune->entry, fmt::format("/events/{}/prune/entry", i), "prune");
   }
-  const std::optional<Focus>& focus = preset.stage.camera.focus;
+  const std::optional<Focus>& focus = preset.setup.camera.focus;
   if (focus && !focus->organism.empty()) require_one(focus->organism, "/scene/camera/focus", "focus on");
   names.insert(names.begin(), kFitAll);
-  for (std::size_t i = 0; i < preset.stage.camera.fit.size(); ++i)
-    require_one(preset.stage.camera.fit[i], fmt::format("/scene/camera/fit/{}", i), "fit");
+  for (std::size_t i = 0; i < preset.setup.camera.fit.size(); ++i)
+    require_one(preset.setup.camera.fit[i], fmt::format("/scene/camera/fit/{}", i), "fit");
 }
 
 /// An organism that trees are to be drawn as and that is not there, or is not sown.
@@ -129,7 +129,7 @@ void check_stand(const Preset& preset, Faults& faults) {
 
 /// The trees of the far land, and climates in which nothing would end.
 void check_altitudes(const Preset& preset, Faults& faults) {
-  if (const auto& far = preset.stage.far)
+  if (const auto& far = preset.setup.far)
     for (std::size_t i = 0; i < far->trees.size(); ++i)
       check_drawn_as(preset, far->trees[i], fmt::format("/scene/far/trees/{}", i), faults);
   for (std::size_t i = 0; i < preset.organisms.size(); ++i) {
@@ -144,7 +144,7 @@ void check_altitudes(const Preset& preset, Faults& faults) {
 
 /// What would be too much of something.
 void check_bounds(const Preset& preset, Faults& faults) {
-  Errors errors = settings()[preset.stage.setting].answers.find_faults(preset.stage, preset.film);
+  Errors errors = settings()[preset.setup.setting].answers.find_faults(preset.setup, preset.film);
   for (Error& error : errors) error.where.insert(0, "/scene");
   for (auto found : {too_much_together, without_room})
     for (Error& error : found(preset)) errors.push_back(std::move(error));
@@ -153,15 +153,15 @@ void check_bounds(const Preset& preset, Faults& faults) {
 }
 
 /// What no picture can be made of although each value is one that may be.
-void check_stage(const Stage& stage, const Value& root, Faults& faults) {
+void check_setup(const SceneSetup& setup, const Value& root, Faults& faults) {
   auto fault = [&](const char* pointer, const char* what) {
     faults.add({origin_at(root, pointer), pointer, what});
   };
   std::vector<double> times;
-  for (const auto& key : stage.camera.location.keys()) times.push_back(key.time);
-  for (const auto& key : stage.camera.look_at.keys()) times.push_back(key.time);
+  for (const auto& key : setup.camera.location.keys()) times.push_back(key.time);
+  for (const auto& key : setup.camera.look_at.keys()) times.push_back(key.time);
   for (double time : times)
-    if (glm::distance(stage.camera.location.at(time), stage.camera.look_at.at(time)) < 1e-4f)
+    if (glm::distance(setup.camera.location.at(time), setup.camera.look_at.at(time)) < 1e-4f)
       return fault("/scene/camera/look_at", "is where the camera stands; expected another place to look at");
 }
 
@@ -253,13 +253,13 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   Faults faults, warnings;
   Result<Preset> preset = read_preset<Preset>(*document, &warnings, &assets);
   if (!preset) return preset;
-  preset->stage.camera = keyed_move(preset->stage.camera, preset->film);
+  preset->setup.camera = keyed_move(preset->setup.camera, preset->film);
   for (Event& event : preset->events)
     if (event.cut) event.cut->by_own = preset->version >= 2;
   preset->text = serialize(document->root);
   preset->files = std::move(read);
   preset->written = std::make_shared<const Value>(with_defaults(document->root));
-  double reach = settings()[preset->stage.setting].answers.extent(preset->stage).reach;
+  double reach = settings()[preset->setup.setting].answers.extent(preset->setup).reach;
   for (Error& error : furnish(*preset, reach, warnings))
     faults.add({origin_at(*preset->written, error.where), error.where, std::move(error.what)});
   if (preset->stand) check_stand(*preset, faults);
@@ -270,7 +270,7 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   }
   check_hosts(*preset, faults);
   check_bounds(*preset, faults);
-  check_stage(preset->stage, document->root, faults);
+  check_setup(preset->setup, document->root, faults);
   check_named(*preset, document->root, faults);
   if (!faults.list().empty()) return faults.errors();
   preset->notes = warnings.errors();

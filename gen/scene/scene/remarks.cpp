@@ -35,7 +35,7 @@ std::vector<Occupied> boxes_of(const Scene& scene) {
 
 /// Whether anything that grows or stands is in the picture at a time.
 bool seen(const Scene& scene, double time) {
-  Lens lens = lens_at(scene.stage.camera, time, scene.film.aspect());
+  Lens lens = lens_at(scene.setup.camera, time, scene.film.aspect());
   auto in_picture = [&](Vec3 p) {
     Vec3 at = lens.seen(p);
     return at.z > 0 && std::abs(at.x) <= 1 && std::abs(at.y) <= 1;
@@ -65,7 +65,7 @@ void note_fit(Scene& scene) {
       !seen(scene, film.time(film.frames)))
     scene.notes.push_back(
         "/scene/camera: nothing that grows is in the picture; expected another look_at, or a \"fit\"");
-  for (std::string& note : scene.ground->remarks([&] { return boxes_of(scene); }, scene.stage.camera,
+  for (std::string& note : scene.ground->remarks([&] { return boxes_of(scene); }, scene.setup.camera,
                                                  scene.film.time(scene.film.frames)))
     scene.notes.push_back(std::move(note));
 }

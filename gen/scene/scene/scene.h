@@ -68,9 +68,9 @@ struct SownStand {
 /// All that stands before the camera, grown; nothing of it depends on the frame.
 struct Scene {
   Film film;
-  Stage stage;
+  SceneSetup setup;
   Seed seed;                                  ///< the preset's
-  std::shared_ptr<const Grounds> ground;      ///< that of the stage's setting
+  std::shared_ptr<const Grounds> ground;      ///< that of its setting
   std::shared_ptr<const DistantTerrain> far;  ///< the land beyond the ground; null: none
   std::shared_ptr<const CoverGrid> overhead;  ///< bodies that keep off snow and rain; null: it is dry
   std::vector<Specimen> specimens;

@@ -87,8 +87,8 @@ Copies present(const Copies& all, Vec2 part, const std::vector<Instant>& instant
 }  // namespace
 
 void set_copy_lifetimes(Scene& scene, const Preset& preset) {
-  if (!scene.stage.year) return;
-  std::vector<Instant> instants = instants_of(scene.film, *scene.stage.year);
+  if (!scene.setup.year) return;
+  std::vector<Instant> instants = instants_of(scene.film, *scene.setup.year);
   std::vector<Seed> seeds = entry_seeds(preset, "season");
   for (SownStand& stand : scene.stands)
     if (const auto& part = stand.organism.sown->present)

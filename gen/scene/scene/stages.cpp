@@ -24,7 +24,7 @@ namespace {
 std::string dates_text(const Preset& preset) {
   std::string text;
   for (const Event& event : preset.events) text += keys_of(event).all();
-  if (const auto& wind = preset.stage.wind)
+  if (const auto& wind = preset.setup.wind)
     text += fmt::format(" {} {}", wind->direction.x, wind->direction.z);
   return text;
 }
@@ -40,7 +40,7 @@ class SceneBuilder {
                           floor.position.size() * sizeof(Vec3));
     land_ = content_id(land);
     surroundings_ =
-        fmt::format("{} {} {}", preset.film.length(), preset.film.frames > 1, preset.stage.setting);
+        fmt::format("{} {} {}", preset.film.length(), preset.film.frames > 1, preset.setup.setting);
     if (!preset.events.empty()) surroundings_ += dates_text(preset);
   }
 

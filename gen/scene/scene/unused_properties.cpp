@@ -87,9 +87,9 @@ class Finder {
       for (const SettingRow& row : settings())
         if (heed(row, pointer)) names += fmt::format("{}{}", names.empty() ? "" : ", ", row.name);
       note(what, "/scene" + pointer,
-           fmt::format("the setting is {}; it is for {}", settings()[preset_.stage.setting].name, names));
+           fmt::format("the setting is {}; it is for {}", settings()[preset_.setup.setting].name, names));
     };
-    const SettingRow& setting = settings()[preset_.stage.setting];
+    const SettingRow& setting = settings()[preset_.setup.setting];
     if (!reads_some(setting, block)) return note_unheeded(*value, block, reads_some);
     for (const Member& member : value->members)
       if (std::string pointer = block + "/" + member.name; !reads(setting, pointer))
@@ -149,7 +149,7 @@ class Finder {
 
   const Preset& preset_;
   const std::string& file_name_;
-  bool rocks_ = settings()[preset_.stage.setting].answers.extent(preset_.stage).rocks;
+  bool rocks_ = settings()[preset_.setup.setting].answers.extent(preset_.setup).rocks;
   Faults notes_;
 };
 

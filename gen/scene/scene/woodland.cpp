@@ -320,7 +320,7 @@ Copies undergrowth(const SownStand& stand, const std::vector<Crowns>& crowns, co
 
 }  // namespace
 
-void draw_stand(Scene& scene, const Preset& preset, const Grounds& ground, const StandHistory& history) {
+void add_stand(Scene& scene, const Preset& preset, const Grounds& ground, const StandHistory& history) {
   const StandText& text = *preset.stand;
   Vec2 shown = text.shown.value_or(Vec2(0, text.years));
   bool still = preset.film.frames <= 1;
@@ -329,7 +329,7 @@ void draw_stand(Scene& scene, const Preset& preset, const Grounds& ground, const
   std::vector<Crowns> crowns;
   for (double year = film.from; year < film.to + kSpread; year += kSpread)
     crowns.push_back(crowns_at(history, std::min<double>(year, history.years)));
-  scene.stage.closed = closed_over(crowns, scene.stage.camera, film);
+  scene.setup.closed = closed_over(crowns, scene.setup.camera, film);
   for (SownStand& stand : scene.stands)
     if (stand.organism.sown->where.layer != Layer::canopy) stand.copies = undergrowth(stand, crowns, film);
   Library library(preset, ground, history, film);

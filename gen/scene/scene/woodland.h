@@ -11,6 +11,6 @@ namespace frond {
 /// average. A tree goes through them as it grows taller. Its copies are scaled so that
 /// height and crown are those of the tree at any time, also where one takes over from another. What is sown
 /// below the trees shows in the years in which the shade suits it.
-void draw_stand(Scene& scene, const Preset& preset, const Grounds& ground, const StandHistory& history);
+void add_stand(Scene& scene, const Preset& preset, const Grounds& ground, const StandHistory& history);
 
 }  // namespace frond

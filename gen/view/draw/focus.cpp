@@ -98,7 +98,7 @@ std::optional<float> depth_of(const std::vector<std::unique_ptr<DrawList>>& all_
 }  // namespace
 
 std::optional<Vec3> named_focus(const Scene& scene, double time) {
-  const Camera& camera = scene.stage.camera;
+  const Camera& camera = scene.setup.camera;
   if (!camera.aperture || !camera.focus || camera.focus->organism.empty()) return std::nullopt;
   const std::string& name = camera.focus->organism;
   Lens lens = lens_at(camera, time, scene.film.aspect());

@@ -58,7 +58,7 @@ ModelBlocks blocks_of(const std::vector<Surfel>& surfels) {
 
 Views::Views(const Scene& scene) : scene_(scene), coarse_(coarseness(scene.film.quality)) {
   const Film& film = scene.film;
-  bool one = !moves(scene.stage.camera, film.length());
+  bool one = !moves(scene.setup.camera, film.length());
   groups_ = one ? 1 : kGroups;
   stretch_ = one ? film.frames : kHeld / kGroups;
   stretches_ = static_cast<std::size_t>((film.frames + stretch_ - 1) / stretch_);
@@ -71,7 +71,7 @@ Views::Views(const Scene& scene) : scene_(scene), coarse_(coarseness(scene.film.
       eyes.push_back(eye_at(scene, film.time(std::clamp(frame, 1, film.frames))));
   }
   constexpr int kSuns = 12;
-  for (int k = 0, last = sun_moves(scene.stage) ? kSuns : 0; k <= last; ++k)
+  for (int k = 0, last = sun_moves(scene.setup) ? kSuns : 0; k <= last; ++k)
     if (auto ambience = ambience_of(scene, film.length() * k / kSuns);
         ambience && ambience->sunlight != Vec3(0))
       suns_.push_back(ambience->sun);

@@ -68,8 +68,8 @@ struct TracedFilm::Parts {
   Errors prepare();
 
   /// The things of those specimens at a time, and what they refer to.
-  Result<std::vector<Placed>> draw(const std::vector<std::size_t>& specimens, double time,
-                                   std::vector<DrawnSpecimen>& drawn) const;
+  Result<std::vector<Placed>> place(const std::vector<std::size_t>& specimens, double time,
+                                    std::vector<DrawnSpecimen>& drawn) const;
   /// The copies of stands at a time.
   std::vector<Placed> copies_at(double time) const;
   std::vector<Placed> food_at(double time) const;
@@ -238,8 +238,8 @@ std::vector<Placed> TracedFilm::Parts::food_at(double time) const {
   return things;
 }
 
-Result<std::vector<Placed>> TracedFilm::Parts::draw(const std::vector<std::size_t>& specimens, double time,
-                                                    std::vector<DrawnSpecimen>& drawn) const {
+Result<std::vector<Placed>> TracedFilm::Parts::place(const std::vector<std::size_t>& specimens, double time,
+                                                     std::vector<DrawnSpecimen>& drawn) const {
   drawn.resize(specimens.size());
   std::vector<Result<std::vector<Placed>>> made(specimens.size(), std::vector<Placed>());
   parallel_for(specimens.size(), [&](std::size_t k) {
@@ -263,7 +263,7 @@ Errors TracedFilm::Parts::prepare() {
   std::vector<std::size_t> unmoved;
   for (std::size_t i = 0; i < scene.specimens.size(); ++i)
     (stands_still(scene.specimens[i]) ? unmoved : moving).push_back(i);
-  Result<std::vector<Placed>> things = draw(unmoved, 0, still);
+  Result<std::vector<Placed>> things = place(unmoved, 0, still);
   if (!things) return things.errors();
   add_ground(*things);
   always = PlacedScene(std::move(*things));
@@ -283,23 +283,23 @@ Result<TracedFilm> TracedFilm::of(const Scene& scene, CopyPlan plan) {
 Result<TracedFrame> TracedFilm::at(double time) const {
   const Scene& scene = parts_->scene;
   auto parts = std::make_unique<TracedFrame::Parts>();
-  Result<std::vector<Placed>> moving = parts_->draw(parts_->moving, time, parts->drawn);
+  Result<std::vector<Placed>> moving = parts_->place(parts_->moving, time, parts->drawn);
   if (!moving) return moving.errors();
   std::ranges::move(parts_->copies_at(time), std::back_inserter(*moving));
   std::ranges::move(parts_->food_at(time), std::back_inserter(*moving));
   parts->moving = PlacedScene(std::move(*moving));
   parts->still = &parts_->always;
-  Daylight light = drawn_daylight(stage_at(scene.stage, time));
+  Daylight light = drawn_daylight(setup_at(scene.setup, time));
   Eye eye = eye_at(scene, time);
   parts->light = light.sun;
   if (!light.lamps.empty()) {
-    Vec3 target = scene.stage.camera.look_at.at(time);
+    Vec3 target = scene.setup.camera.look_at.at(time);
     parts->is_lamp = true;
     parts->light = target + std::max(1.0f, glm::distance(eye.at, target)) * light.lamps.front().from;
   }
   TracedFrame frame(std::move(parts));
   frame.eye = eye;
-  const Camera& camera = scene.stage.camera;
+  const Camera& camera = scene.setup.camera;
   if (camera.aperture) {
     Vec3 focus = named_focus(scene, time).value_or(focus_of(camera, time));
     frame.lens = static_cast<float>(lens_width(camera, time));

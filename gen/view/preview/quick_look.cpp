@@ -234,10 +234,10 @@ class FloorDepth {
       if (a.z >= kNear) kept[count++] = a;
       if ((a.z < kNear) != (b.z < kNear)) kept[count++] = glm::mix(a, b, (kNear - a.z) / (b.z - a.z));
     }
-    for (std::size_t c = 2; c < count; ++c) draw(kept[0], kept[c - 1], kept[c]);
+    for (std::size_t c = 2; c < count; ++c) fill(kept[0], kept[c - 1], kept[c]);
   }
 
-  void draw(Vec3 a, Vec3 b, Vec3 c) {
+  void fill(Vec3 a, Vec3 b, Vec3 c) {
     // A depth's inverse is linear on the picture.
     auto seen = [&](Vec3 p) {
       return Vec3(0.5f * (1 + p.x / (lens_.wide * p.z)) * static_cast<float>(width_),
@@ -274,7 +274,7 @@ ToSun sun_over(const Scene& scene, Vec3 toward, Pixels& pixels) {
     box.extend(bounds_of(s.model));
     for (const Vec3& at : fallen_nodes(s)) box.extend(at);
   }
-  Vec3 eye = scene.stage.camera.location.at(0);
+  Vec3 eye = scene.setup.camera.location.at(0);
   for (const SownStand& stand : scene.stands)
     for (const Vec3& p : stand.copies.foot)
       if (glm::distance(p, eye) < 80) box.extend(p), box.extend(p + Vec3(0, stand.tallest(), 0));
@@ -291,8 +291,8 @@ Raster quick_look(const Scene& scene, double time) { return quick_look(scene, ti
 
 Raster quick_look(const Scene& scene, double time, std::array<int, 2> size) {
   auto [width, height] = size;
-  Daylight light = daylight_of(stage_at(scene.stage, time));
-  Lens lens = lens_at(scene.stage.camera, time, static_cast<double>(height) / width);
+  Daylight light = daylight_of(setup_at(scene.setup, time));
+  Lens lens = lens_at(scene.setup.camera, time, static_cast<double>(height) / width);
   Pixels pixels(width, height), from_sun(kShadowSide, kShadowSide);
   ToSun sun = sun_over(scene, light.sun, from_sun);
   ToPicture picture_sink{lens, pixels};

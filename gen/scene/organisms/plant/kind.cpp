@@ -30,9 +30,9 @@ inline constexpr Choice<OrganShape> kOrganShapes[] = {
     {"picture", OrganShape::picture, "a leaf of a known outline, as its picture shows it"},
     {"grammar", OrganShape::grammar, "what a grammar of its own draws: a stem, leaflets and outlines"}};
 
-inline constexpr Choice<Stand> kStands[] = {
-    {"turtle", Stand::turtle, "where the turtle starts"},
-    {"middle", Stand::middle, "below its middle, the lowest point on the ground"}};
+inline constexpr Choice<PlantOrigin> kPlantOrigins[] = {
+    {"turtle", PlantOrigin::turtle, "where the turtle starts"},
+    {"middle", PlantOrigin::middle, "below its middle, the lowest point on the ground"}};
 
 void describe(Properties& v, Luster& l) {
   v.aspect(Aspect::look);
@@ -127,7 +127,7 @@ void describe(Properties& v, PlantParams& p) {
   v.required("grammar");
   v.number("height", p.height, {.min = 0, .max = 1000, .unit = "m"},
            "Height that the whole is scaled to; 0 leaves it as the turtle draws it");
-  v.choice("stand", p.stand, kStands, "Which point of it stands at its place");
+  v.choice("stand", p.origin, kPlantOrigins, "Which point of it stands at its place");
   v.integer("smoothing", p.smoothing, {.min = 1, .max = 16},
             "Number of nodes that each segment is rounded with; 1 leaves straight lines");
   v.object("thickness", p.thickness, "Thickness of the branches");

@@ -173,8 +173,8 @@ struct Rain {
 
 /// Everything but the organisms. Each setting has a block of parameters that is read only by it and by
 /// settings based on it.
-struct Stage {
-  Stage();  ///< all blocks have their default values
+struct SceneSetup {
+  SceneSetup();  ///< all blocks have their default values
 
   std::size_t setting = 0;  ///< index of a row of settings()
   Camera camera;
