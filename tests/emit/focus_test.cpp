@@ -101,9 +101,9 @@ TEST(Focus, NamesOfOrganismsSownAreGood) {
         {"kind": "plant", "name": "herb", "height": 0.5, "count": 1, "sown": {"where": {"radius": 0.2}}, "place": {"at": [[0, 0]]},
          "grammar": {"axiom": "F", "steps": 1}}]})",
                                           "test.json", {}));
-  ASSERT_FALSE(scene.stands.empty());
+  ASSERT_FALSE(scene.copy_sets.empty());
   std::optional<Vec3> at = named_focus(scene, 0);
-  EXPECT_EQ(at.has_value(), scene.stands[0].copies.size() > 0);
+  EXPECT_EQ(at.has_value(), scene.copy_sets[0].copies.size() > 0);
 }
 
 }  // namespace

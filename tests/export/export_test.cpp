@@ -292,8 +292,8 @@ Scene sown_lawn() {
 
 TEST(ExportScene, holds_each_sown_model_once_and_each_copy_of_it) {
   Scene scene = sown_lawn();
-  ASSERT_EQ(scene.stands.size(), 2u);
-  ASSERT_GT(scene.stands[0].copies.size(), 20u);
+  ASSERT_EQ(scene.copy_sets.size(), 2u);
+  ASSERT_GT(scene.copy_sets[0].copies.size(), 20u);
   ExportScene exported = export_scene_of(scene, 0);
   std::map<std::size_t, std::size_t> copies;
   for (const ExportPlacement& p : exported.placements) ++copies[p.mesh];
@@ -307,11 +307,11 @@ TEST(ExportScene, holds_each_sown_model_once_and_each_copy_of_it) {
     if (mesh.name.starts_with("herb")) herbs += copies[m];
     if (mesh.name.starts_with("stone")) stones += copies[m];
   }
-  EXPECT_EQ(herbs, scene.stands[0].copies.size());
-  EXPECT_EQ(stones, scene.stands[1].copies.size());
+  EXPECT_EQ(herbs, scene.copy_sets[0].copies.size());
+  EXPECT_EQ(stones, scene.copy_sets[1].copies.size());
   // The copies stand where they are sown.
   Surface first = placed(exported.meshes[0].parts[0], exported.placements[0]);
-  EXPECT_LT(glm::distance(first.position[0], scene.stands[0].copies.foot[0]), 0.3f);
+  EXPECT_LT(glm::distance(first.position[0], scene.copy_sets[0].copies.foot[0]), 0.3f);
   EXPECT_EQ(exported.groups.size(), 2u);
   // With instances all copies of a model are one node, else each is one.
   for (bool instances : {false, true}) {

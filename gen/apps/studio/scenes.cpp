@@ -203,7 +203,7 @@ void Scenes::add_tiles(const Scene& scene) {
     for (const Solid& solid : specimen.model.solids.shapes)
       add(solid, kDrawing + (is_vessel(solid) ? bytes_of(solid.surface) : 0));
   }
-  for (const SownStand& stand : scene.stands) add_barks(stand.appearance.look.branches);
+  for (const CopySet& set : scene.copy_sets) add_barks(set.appearance.look.branches);
 }
 
 Result<std::shared_ptr<const Scene>> Scenes::scene(const Doc& doc, Preset preset,

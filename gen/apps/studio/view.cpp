@@ -91,9 +91,9 @@ void add_lists(Json& header, const Scene& scene, const Preset& preset) {
     }
     specimens.push_back(std::move(one));
   }
-  for (const SownStand& stand : scene.stands) {
-    copies[stand.entry] += stand.copies.size();
-    for (const Vec3& foot : stand.copies.foot) of_entry[stand.entry].extend(foot);
+  for (const CopySet& set : scene.copy_sets) {
+    copies[set.entry] += set.copies.size();
+    for (const Vec3& foot : set.copies.foot) of_entry[set.entry].extend(foot);
   }
   Json entries = Json::array();
   for (std::size_t e = 0; e < preset.organisms.size(); ++e) {
@@ -258,11 +258,11 @@ std::array<std::uint8_t, 4> tint_bytes(const TintShift& shift) {
 
 Errors add_copies(const Scene& scene, const ViewRequest& request, ViewCache& models,
                   std::vector<DrawnPart>& parts) {
-  std::vector<std::pair<const SownStand*, int>> wanted;
-  for (const SownStand& stand : scene.stands)
-    if (request.shows(stand.entry)) {
-      std::set<int> used(stand.copies.model.begin(), stand.copies.model.end());
-      for (int which : used) wanted.emplace_back(&stand, which);
+  std::vector<std::pair<const CopySet*, int>> wanted;
+  for (const CopySet& set : scene.copy_sets)
+    if (request.shows(set.entry)) {
+      std::set<int> used(set.copies.model.begin(), set.copies.model.end());
+      for (int which : used) wanted.emplace_back(&set, which);
     }
   std::vector<Result<std::shared_ptr<const DrawnPart>>> grown(wanted.size(),
                                                               std::shared_ptr<const DrawnPart>{});
@@ -270,21 +270,21 @@ Errors add_copies(const Scene& scene, const ViewRequest& request, ViewCache& mod
                [&](std::size_t i) { grown[i] = models.model(*wanted[i].first, wanted[i].second); });
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     if (!grown[i]) return grown[i].errors();
-    const auto& [stand, which] = wanted[i];
+    const auto& [set, which] = wanted[i];
     DrawnPart part = **grown[i];
     std::vector<float> places;
     std::vector<std::uint8_t> tints;
-    const Copies& c = stand->copies;
+    const Copies& c = set->copies;
     for (std::size_t k = 0; k < c.size(); ++k) {
       if (c.model[k] != which || !c.there(k, request.time)) continue;
       Quat turn = c.turn_at(k, request.time);
       Vec3 scale = c.scale_at(k, request.time);
       places.insert(places.end(), {c.foot[k].x, c.foot[k].y, c.foot[k].z, turn.x, turn.y, turn.z, turn.w,
                                    scale.x, scale.y, scale.z});
-      for (std::uint8_t byte : tint_bytes(tint_shift(stand->organism.sown->tint, c.tint[k])))
+      for (std::uint8_t byte : tint_bytes(tint_shift(set->organism.sown->tint, c.tint[k])))
         tints.push_back(byte);
     }
-    part.head["entry"] = stand->entry, part.head["specimen"] = -1, part.head["model"] = which;
+    part.head["entry"] = set->entry, part.head["specimen"] = -1, part.head["model"] = which;
     part.add("/instances", places);
     part.add("/tints", tints);
     parts.push_back(std::move(part));
@@ -304,7 +304,7 @@ Result<std::string> view_of(const Scene& scene, const Preset& preset, const View
   if (Errors errors = add_copies(scene, request, models, parts); !errors.empty()) return errors;
 
   std::size_t copies = 0;
-  for (const SownStand& stand : scene.stands) copies += stand.copies.size();
+  for (const CopySet& set : scene.copy_sets) copies += set.copies.size();
   header["time"] = request.time;
   header["film"] = film_json(scene.film);
   header["nodes"] = scene.nodes();

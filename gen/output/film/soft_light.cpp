@@ -42,8 +42,8 @@ Bounds room_of(const Scene& scene, const Specimens& now, const Surfels& surfels,
     room.extend(bounds_of(m.solids));
     for (const Vec3& at : m.blades.surface.position) room.extend(at);
   }
-  for (std::size_t s = 0; s < scene.stands.size(); ++s) {
-    const Copies& copies = scene.stands[s].copies;
+  for (std::size_t s = 0; s < scene.copy_sets.size(); ++s) {
+    const Copies& copies = scene.copy_sets[s].copies;
     std::vector<float> reach;
     for (const auto& model : surfels[s]) {
       float far = 0;
@@ -83,9 +83,9 @@ void add_ground(SoftLight& grid, const Scene& scene, Vec3 albedo) {
 }
 
 void add_copies(SoftLight& grid, const Scene& scene, const Surfels& surfels, double time) {
-  for (std::size_t s = 0; s < scene.stands.size(); ++s) {
-    const Copies& copies = scene.stands[s].copies;
-    std::optional<Seasons> seasons = copy_seasons(scene.stands[s].organism, scene.film);
+  for (std::size_t s = 0; s < scene.copy_sets.size(); ++s) {
+    const Copies& copies = scene.copy_sets[s].copies;
+    std::optional<Seasons> seasons = copy_seasons(scene.copy_sets[s].organism, scene.film);
     float leaves = seasons ? static_cast<float>(leaf_area_share(*seasons, seasons->at.at(time))) : 1;
     parallel_for(copies.size(), [&](std::size_t i) {
       if (!copies.there(i, time)) return;
@@ -198,11 +198,11 @@ double light_reach(Quality quality, double pixel) {
 bool light_changes(const Scene& scene, std::span<const double> pixel) {
   if (scene.film.frames <= 1) return false;
   auto changes = [](const Specimen& s) { return s.life.changes() || s.motion.growth.duration > 0; };
-  auto turns = [&](const SownStand& s) {
+  auto turns = [&](const CopySet& s) {
     return !s.copies.span.empty() || copy_seasons(s.organism, scene.film);
   };
   if (sun_moves(scene.setup) || std::ranges::any_of(scene.specimens, changes) ||
-      std::ranges::any_of(scene.stands, turns))
+      std::ranges::any_of(scene.copy_sets, turns))
     return true;
   std::atomic<bool> leaves = false;
   parallel_for(scene.specimens.size(), [&](std::size_t i) {

@@ -36,12 +36,12 @@ class ModelBlocks {
   std::vector<glm::ivec3> cells_;  // in order
 };
 
-/// What a tint of a stand's copies does to a colour.
+/// What a tint of copies does to a colour.
 struct TintShift {
   double hue = 0;                    ///< radians that it turns about the axis of greys
   double saturation = 1, value = 1;  ///< factors
 };
-/// Tint `number`, of kTints: they are spread evenly over the range of a stand, so that all of it occurs.
+/// Tint `number`, of kTints: they are spread evenly over the range of a copy set, so that all of it occurs.
 TintShift tint_shift(const CopyTint& tint, int number);
 
 /// A part of a model that has one look.

@@ -70,13 +70,13 @@ std::optional<DistantTerrain> far_land_round(const Scene& scene, Seed seed) {
 namespace {
 
 /// The stand of a sown organism of that name, a new one where none of it is sown near.
-SownStand& stand_named(Scene& scene, const Preset& preset, const std::string& name) {
-  auto stand = std::ranges::find(scene.stands, name, [](const SownStand& s) { return s.organism.name; });
-  if (stand != scene.stands.end()) return *stand;
+CopySet& copy_set_named(Scene& scene, const Preset& preset, const std::string& name) {
+  auto set = std::ranges::find(scene.copy_sets, name, [](const CopySet& s) { return s.organism.name; });
+  if (set != scene.copy_sets.end()) return *set;
   auto entry =
       std::ranges::find_if(preset.organisms, [&](const Organism& o) { return o.sown && o.name == name; });
   auto number = static_cast<std::size_t>(entry - preset.organisms.begin());
-  return scene.stands.emplace_back(SownStand{number, *entry, copy_appearance(*entry), {}, {}});
+  return scene.copy_sets.emplace_back(CopySet{number, *entry, copy_appearance(*entry), {}, {}});
 }
 
 }  // namespace
@@ -92,10 +92,10 @@ void plant_far_trees(Scene& scene, const Preset& preset, DistantTerrain& far, Se
     if (!is_tree(tree)) continue;
     Seed own = seed.child("tree", i);
     bool first = tree.kind == FarKind::conifer || names.size() == 1;
-    SownStand& stand =
-        stand_named(scene, preset, names[first ? 0 : 1 + own.child("kind").bits() % (names.size() - 1)]);
-    auto models = static_cast<std::uint64_t>(stand.organism.sown->models);
-    Copies& copies = stand.copies;
+    CopySet& set =
+        copy_set_named(scene, preset, names[first ? 0 : 1 + own.child("kind").bits() % (names.size() - 1)]);
+    auto models = static_cast<std::uint64_t>(set.organism.sown->models);
+    Copies& copies = set.copies;
     copies.model.push_back(static_cast<std::uint16_t>(own.child("model").bits() % models));
     copies.foot.push_back(tree.foot);
     copies.turn.push_back(glm::angleAxis(tree.turn, Vec3(0, 1, 0)));

@@ -22,12 +22,12 @@ std::vector<Occupied> boxes_of(const Scene& scene) {
     Bounds box = bounds_of(s.model);
     boxes.push_back({name_of(s.name, s.entry), box.low, box.high});
   }
-  for (const SownStand& stand : scene.stands)
-    for (std::size_t i = 0; i < stand.copies.size(); ++i) {
+  for (const CopySet& set : scene.copy_sets)
+    for (std::size_t i = 0; i < set.copies.size(); ++i) {
       // A crown about its foot; how high it is only its model knows.
-      auto reach = static_cast<float>(stand.organism.sown->where.radius) * stand.copies.scale[i];
-      Vec3 foot = stand.copies.foot[i];
-      boxes.push_back({name_of(stand.organism.name, stand.entry), foot - Vec3(reach, 0, reach),
+      auto reach = static_cast<float>(set.organism.sown->where.radius) * set.copies.scale[i];
+      Vec3 foot = set.copies.foot[i];
+      boxes.push_back({name_of(set.organism.name, set.entry), foot - Vec3(reach, 0, reach),
                        foot + Vec3(reach, 0, reach)});
     }
   return boxes;
@@ -48,13 +48,13 @@ bool seen(const Scene& scene, double time) {
       for (const Vec3& p : m.solids.shapes[m.solids.shape[i]].surface.position)
         if (in_picture(m.solids.placed(i, p))) return true;
   }
-  for (const SownStand& stand : scene.stands)
-    for (std::size_t i = 0; i < stand.copies.size(); ++i) {
-      auto tall = static_cast<float>(stand.tallest()) * stand.copies.scale[i];
+  for (const CopySet& set : scene.copy_sets)
+    for (std::size_t i = 0; i < set.copies.size(); ++i) {
+      auto tall = static_cast<float>(set.tallest()) * set.copies.scale[i];
       for (float part : {0.0f, 0.25f, 0.5f, 0.75f})
-        if (in_picture(stand.copies.foot[i] + Vec3(0, part * tall, 0))) return true;
+        if (in_picture(set.copies.foot[i] + Vec3(0, part * tall, 0))) return true;
     }
-  return scene.specimens.empty() && scene.stands.empty();
+  return scene.specimens.empty() && scene.copy_sets.empty();
 }
 
 }  // namespace

@@ -205,11 +205,11 @@ std::size_t Scene::nodes() const {
 }
 
 std::size_t Scene::bytes() const {
-  std::size_t bytes = specimens.capacity() * sizeof(Specimen) + stands.capacity() * sizeof(SownStand) +
+  std::size_t bytes = specimens.capacity() * sizeof(Specimen) + copy_sets.capacity() * sizeof(CopySet) +
                       bytes_of(drawings) + (ground ? ground->bytes() : 0);
   for (const Specimen& s : specimens) bytes += bytes_of(s);
-  for (const SownStand& stand : stands) {
-    const Copies& c = stand.copies;
+  for (const CopySet& set : copy_sets) {
+    const Copies& c = set.copies;
     bytes += bytes_of(c.model) + bytes_of(c.foot) + bytes_of(c.turn) + bytes_of(c.scale) + bytes_of(c.tint) +
              bytes_of(c.span);
   }
@@ -219,14 +219,14 @@ std::size_t Scene::bytes() const {
 std::string Scene::find_fault() const {
   for (const Specimen& s : specimens)
     if (std::string fault = s.find_fault(); !fault.empty()) return s.name + ": " + fault;
-  for (const SownStand& stand : stands) {
-    const Copies& c = stand.copies;
+  for (const CopySet& set : copy_sets) {
+    const Copies& c = set.copies;
     if (c.foot.size() != c.size() || c.turn.size() != c.size() || c.scale.size() != c.size() ||
         c.tint.size() != c.size() || (!c.span.empty() && c.span.size() != c.size()))
-      return stand.organism.name + ": the arrays of the copies differ in length";
+      return set.organism.name + ": the arrays of the copies differ in length";
     for (std::size_t i = 0; i < c.size(); ++i)
-      if (c.model[i] >= stand.organism.sown->models || c.tint[i] >= kTints || !(c.scale[i] > 0))
-        return fmt::format("{}: copy {} is none of a model", stand.organism.name, i);
+      if (c.model[i] >= set.organism.sown->models || c.tint[i] >= kTints || !(c.scale[i] > 0))
+        return fmt::format("{}: copy {} is none of a model", set.organism.name, i);
   }
   return ground ? ground->floor().find_fault() : "there is no ground";
 }
@@ -253,7 +253,7 @@ Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, Specime
   std::vector<PlacedEntry> plots = find_places(preset, setting.extent(preset.setup), taken, scene.notes);
   watch.step();
   ground->strew(taken);
-  sow_stands(scene, preset, *ground, taken.list());
+  sow_copies(scene, preset, *ground, taken.list());
   if (preset.stand) add_stand(scene, preset, *ground, stand_history(preset, *ground));
   set_copy_lifetimes(scene, preset);
   std::vector<Bed> beds = set_feet(preset, std::move(plots), *ground);

@@ -30,7 +30,7 @@ struct CopySpan {
   Vec2 size(double time) const { return glm::mix(first, last, static_cast<float>(share(time))); }
 };
 
-/// Copies of the models of a stand: a structure of arrays. Metres.
+/// Copies of the models of a set: a structure of arrays. Metres.
 struct Copies {
   std::vector<std::uint16_t> model;
   std::vector<Vec3> foot;
@@ -49,10 +49,10 @@ struct Copies {
   Vec3 scale_at(std::size_t i, double time) const;
   double moss_at(std::size_t i, double time) const;
 };
-inline constexpr int kTints = 12;  ///< colours that copies of a stand come in
+inline constexpr int kTints = 12;  ///< colours that copies of a set come in
 
 /// An organism that is sown: where its copies stand. Its models are grown when they are written.
-struct SownStand {
+struct CopySet {
   std::size_t entry = 0;                       ///< which of the preset's organisms
   Organism organism;                           ///< that one
   Appearance appearance;                       ///< what it wears
@@ -74,7 +74,7 @@ struct Scene {
   std::shared_ptr<const DistantTerrain> far;  ///< the land beyond the ground; null: none
   std::shared_ptr<const CoverGrid> overhead;  ///< bodies that keep off snow and rain; null: it is dry
   std::vector<Specimen> specimens;
-  std::vector<SownStand> stands;
+  std::vector<CopySet> copy_sets;
   std::vector<Drawing> drawings;   ///< pictures that frames name, to be put beside them
   std::vector<std::string> notes;  ///< what the user should know of how it was built
   // With a cache of specimens:

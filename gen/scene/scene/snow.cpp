@@ -53,11 +53,11 @@ std::vector<SnowTrunk> trunks_of(const Scene& scene, Vec2 middle) {
     for (std::size_t i = 0; i < bones.size(); ++i)
       if (bones.parent[i] == Skeleton::kRoot) add(bones.position[i], bones.radius[i]);
   }
-  for (const SownStand& stand : scene.stands)
-    for (std::size_t i = 0; i < stand.copies.size(); ++i)
-      if (stand.organism.sown->where.layer == Layer::canopy)
-        add(stand.copies.foot[i],
-            0.5f * stand.copies.scale[i] * static_cast<float>(stand.organism.sown->where.stem));
+  for (const CopySet& set : scene.copy_sets)
+    for (std::size_t i = 0; i < set.copies.size(); ++i)
+      if (set.organism.sown->where.layer == Layer::canopy)
+        add(set.copies.foot[i],
+            0.5f * set.copies.scale[i] * static_cast<float>(set.organism.sown->where.stem));
   return trunks;
 }
 

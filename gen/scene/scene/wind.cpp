@@ -50,8 +50,8 @@ void add_wind(Scene& scene, const Preset& preset) {
   parallel_for(scene.specimens.size(), [&](std::size_t i) {
     if (Specimen& s = scene.specimens[i]; in_wind(s.motion, scene.setup)) set_wind(s, field);
   });
-  for (SownStand& stand : scene.stands)
-    if (sown_in_wind(stand.organism, stand.appearance.motion, scene.setup)) stand.wind = field;
+  for (CopySet& set : scene.copy_sets)
+    if (sown_in_wind(set.organism, set.appearance.motion, scene.setup)) set.wind = field;
 }
 
 }  // namespace frond

@@ -69,14 +69,14 @@ Result<std::vector<GrownSize>> sizes_of(const Scene& scene, const Preset& preset
     size.width = std::max<double>({size.width, box.size().x, box.size().z});
     size.stem = std::max(size.stem, stem_of(drawn.model.skeleton, drawn.pose, height));
   }
-  for (const SownStand& stand : scene.stands) {
-    GrownSize& size = sizes[stand.entry];
-    size.count = stand.copies.size();
+  for (const CopySet& set : scene.copy_sets) {
+    GrownSize& size = sizes[set.entry];
+    size.count = set.copies.size();
     Vec3 scale(0);
-    for (std::size_t i = 0; i < stand.copies.size(); ++i)
-      if (stand.copies.there(i, time)) scale = glm::max(scale, stand.copies.scale_at(i, time));
-    size.height = static_cast<double>(scale.y) * stand.tallest();
-    size.width = 2.0 * static_cast<double>(std::max(scale.x, scale.z)) * stand.organism.sown->where.radius;
+    for (std::size_t i = 0; i < set.copies.size(); ++i)
+      if (set.copies.there(i, time)) scale = glm::max(scale, set.copies.scale_at(i, time));
+    size.height = static_cast<double>(scale.y) * set.tallest();
+    size.width = 2.0 * static_cast<double>(std::max(scale.x, scale.z)) * set.organism.sown->where.radius;
   }
   return sizes;
 }

@@ -50,7 +50,7 @@ Surface ball() {
 struct TracedFilm::Parts {
   using Meshes = std::shared_ptr<const MeshGroup>;
 
-  /// One file of a model, by stand, model, level and block.
+  /// One file of a model, by copy set, model, level and block.
   using ModelKey = std::array<int, 4>;
 
   const Scene& scene;
@@ -70,7 +70,7 @@ struct TracedFilm::Parts {
   /// The things of those specimens at a time, and what they refer to.
   Result<std::vector<Placed>> place(const std::vector<std::size_t>& specimens, double time,
                                     std::vector<DrawnSpecimen>& drawn) const;
-  /// The copies of stands at a time.
+  /// The copies at a time.
   std::vector<Placed> copies_at(double time) const;
   std::vector<Placed> food_at(double time) const;
 
@@ -172,17 +172,18 @@ Errors TracedFilm::Parts::add_models() {
   for (const auto& stretch : plan.drawn)
     for (std::size_t s = 0; s < stretch.size(); ++s)
       for (const Drawn& one : stretch[s])
-        wanted[{static_cast<int>(s), scene.stands[s].copies.model[one.copy]}].insert({one.level, one.block});
+        wanted[{static_cast<int>(s), scene.copy_sets[s].copies.model[one.copy]}].insert(
+            {one.level, one.block});
   std::vector<std::pair<std::pair<int, int>, std::set<std::pair<int, int>>>> each(wanted.begin(),
                                                                                   wanted.end());
   std::vector<Errors> errors(each.size());
   parallel_for(each.size(), [&](std::size_t i) {
-    auto [stand, number] = each[i].first;
-    const SownStand& of = scene.stands[static_cast<std::size_t>(stand)];
+    auto [set, number] = each[i].first;
+    const CopySet& of = scene.copy_sets[static_cast<std::size_t>(set)];
     Result<Model> model = grow_copy(of.organism, number);
     if (!model) return void(errors[i] = model.errors());
     ModelBlocks blocks =
-        blocks_of(plan.surfels[static_cast<std::size_t>(stand)][static_cast<std::size_t>(number)]);
+        blocks_of(plan.surfels[static_cast<std::size_t>(set)][static_cast<std::size_t>(number)]);
     int made = -1;
     std::vector<CopyPart> parts;
     for (auto [level, block] : each[i].second) {
@@ -193,7 +194,7 @@ Errors TracedFilm::Parts::add_models() {
         surfaces.push_back(block == ModelFile::kWhole ? part.surface : in_block(part, block));
       auto meshes = std::make_shared<const MeshGroup>(std::move(surfaces));
       std::lock_guard held(lock);
-      models[{stand, number, level, block}] = std::move(meshes);
+      models[{set, number, level, block}] = std::move(meshes);
     }
   });
   for (Errors& list : errors)
@@ -207,13 +208,13 @@ std::vector<Placed> TracedFilm::Parts::copies_at(double time) const {
   int frame = std::clamp(static_cast<int>(std::lround(time * scene.film.fps)) + 1, 1, scene.film.frames);
   const auto& drawn = plan.drawn[plan.stretch_of(frame)];
   for (std::size_t s = 0; s < drawn.size(); ++s) {
-    const Copies& copies = scene.stands[s].copies;
+    const Copies& copies = scene.copy_sets[s].copies;
     for (const Drawn& one : drawn[s]) {
       if (!copies.there(one.copy, time)) continue;
       Placed& thing = things.emplace_back();
       thing.thing = {ThingKind::copy, static_cast<std::uint32_t>(s), one.copy};
       thing.meshes = models.at({static_cast<int>(s), copies.model[one.copy], one.level, one.block});
-      thing.axes = copy_axes(scene.stands[s], scene.film, one.copy, time);
+      thing.axes = copy_axes(scene.copy_sets[s], scene.film, one.copy, time);
       Vec3 scale = copies.scale_at(one.copy, time);
       for (int axis = 0; axis < 3; ++axis) thing.axes[axis] *= scale[axis];
       thing.at = copies.foot[one.copy];
