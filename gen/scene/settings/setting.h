@@ -241,7 +241,8 @@ struct SettingRow {
 template <class Block>
 SettingRow setting_row(std::string_view name, std::string_view doc, std::string_view block,
                        std::string_view block_doc, std::vector<std::string_view> reads,
-                       decltype(SettingAnswers::extent) extent, decltype(SettingAnswers::check) check,
+                       decltype(SettingAnswers::extent) extent,
+                       decltype(SettingAnswers::find_faults) find_faults,
                        decltype(SettingAnswers::estimate_size) estimate_size,
                        decltype(SettingAnswers::lay) lay, decltype(SettingAnswers::daylight) daylight,
                        decltype(SettingAnswers::hour) hour = nullptr) {
@@ -261,7 +262,7 @@ SettingRow setting_row(std::string_view name, std::string_view doc, std::string_
             return schema_json(sample);
           },
           [](const std::any& held) { return keys_of(std::any_cast<Block>(held)); },
-          {std::move(reads), extent, check, estimate_size, lay, daylight, hour}};
+          {std::move(reads), extent, find_faults, estimate_size, lay, daylight, hour}};
 }
 
 }  // namespace frond
