@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "appearance/leaf_look.h"
 #include "core/files.h"
-#include "dress/leaf_look.h"
 #include "images/raster.h"
 #include "render/process.h"
 

@@ -73,7 +73,7 @@ TEST(Margin, AFlatDiscStaysFlatAndDoesNotCross) {
 TEST(Margin, BodiesAreClosed) {
   Sheet sheet = grow_margins(kRuffled, whorl_of(2), {}, Seed{2});
   SheetBody body = body_of(sheet, skin_of());
-  EXPECT_EQ(body.surface.check(), "");
+  EXPECT_EQ(body.surface.find_fault(), "");
   Body solid = body_of(body.surface);
   EXPECT_EQ(solid.loose, 0u);
   EXPECT_GT(solid.volume, 0);
@@ -138,7 +138,7 @@ TEST(Margin, WhatIsDrawnBackToAPointOfItsHostStaysAtFinitePlaces) {
   start.filled = true;
   Sheet sheet = grow_margins(law, {start}, world, Seed{4});
   EXPECT_GT(sheet.position.size(), 300u);
-  EXPECT_EQ(body_of(sheet, skin_of()).surface.check(), "");
+  EXPECT_EQ(body_of(sheet, skin_of()).surface.find_fault(), "");
 }
 
 TEST(Margin, IsTheSameEachTime) {

@@ -86,7 +86,7 @@ TEST(Darts, KeepApartAndFillTheRoom) {
   std::vector<Vec3> taken;
   for (Vec3 at : some_places(4000, 1)) {
     bool free = std::ranges::all_of(taken, [&](Vec3 other) { return glm::distance(other, at) >= 0.4f; });
-    EXPECT_EQ(darts.take(at), free);
+    EXPECT_EQ(darts.try_add(at), free);
     if (free) taken.push_back(at);
   }
   EXPECT_GT(taken.size(), 50u);

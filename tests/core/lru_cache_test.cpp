@@ -11,8 +11,8 @@ namespace {
 std::shared_ptr<const int> boxed(int value) { return std::make_shared<const int>(value); }
 
 TEST(LruCache, GivesUpWhatWasNotAskedForLongest) {
-  auto room = std::make_shared<CacheBudget>(10'000);
-  LruCache<int> cache(room);
+  auto budget = std::make_shared<CacheBudget>(10'000);
+  LruCache<int> cache(budget);
   cache.put("a", boxed(1), 4000);
   cache.put("b", boxed(2), 4000);
   ASSERT_TRUE(cache.find("a"));
@@ -20,17 +20,17 @@ TEST(LruCache, GivesUpWhatWasNotAskedForLongest) {
   EXPECT_TRUE(cache.find("a"));
   EXPECT_FALSE(cache.find("b"));
   EXPECT_TRUE(cache.find("c"));
-  EXPECT_LE(room->taken(), room->room());
+  EXPECT_LE(budget->used(), budget->capacity());
 }
 
 TEST(LruCache, AllShelvesOfARoomTogetherKeepToIt) {
-  auto room = std::make_shared<CacheBudget>(100'000);
-  LruCache<int> numbers(room);
-  LruCache<std::string> texts(room);
+  auto budget = std::make_shared<CacheBudget>(100'000);
+  LruCache<int> numbers(budget);
+  LruCache<std::string> texts(budget);
   for (int i = 0; i < 100; ++i) {
     numbers.put(std::to_string(i), boxed(i), 3000);
     texts.put(std::to_string(i), std::make_shared<const std::string>("x"), 5000);
-    EXPECT_LE(room->taken(), room->room());
+    EXPECT_LE(budget->used(), budget->capacity());
   }
   EXPECT_FALSE(numbers.find("0"));
   EXPECT_FALSE(texts.find("0"));
@@ -40,8 +40,8 @@ TEST(LruCache, AllShelvesOfARoomTogetherKeepToIt) {
 }
 
 TEST(LruCache, WhatWasPutThereLastStaysHoweverLarge) {
-  auto room = std::make_shared<CacheBudget>(1000);
-  LruCache<int> cache(room);
+  auto budget = std::make_shared<CacheBudget>(1000);
+  LruCache<int> cache(budget);
   cache.put("small", boxed(1), 100);
   cache.put("large", boxed(2), 1'000'000);
   EXPECT_FALSE(cache.find("small"));
@@ -61,8 +61,8 @@ TEST(LruCache, WhatIsInUseOutlivesItsPlace) {
 }
 
 TEST(LruCache, MayBeAskedFromManyThreads) {
-  auto room = std::make_shared<CacheBudget>(50'000);
-  LruCache<int> cache(room);
+  auto budget = std::make_shared<CacheBudget>(50'000);
+  LruCache<int> cache(budget);
   std::vector<std::thread> threads;
   for (int t = 0; t < 4; ++t)
     threads.emplace_back([&cache, t] {
@@ -74,7 +74,7 @@ TEST(LruCache, MayBeAskedFromManyThreads) {
       }
     });
   for (std::thread& thread : threads) thread.join();
-  EXPECT_LE(room->taken(), room->room());
+  EXPECT_LE(budget->used(), budget->capacity());
 }
 
 }  // namespace

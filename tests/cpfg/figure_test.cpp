@@ -193,7 +193,7 @@ TEST(CpfgFigure, ContoursBecomeSkins) {
   const Surface& mesh = figure.skins[0].mesh;
   EXPECT_EQ(mesh.position.size(), 9U * 7);
   EXPECT_EQ(mesh.triangle.size(), 8U * 6 * 2);
-  EXPECT_EQ(mesh.check(), "");
+  EXPECT_EQ(mesh.find_fault(), "");
   for (const Vec3& p : mesh.position) {
     EXPECT_NEAR(p.z, 1, 1e-6);  // x of the contour lies along up, -z
     EXPECT_LE(std::abs(p.x), 1.001);
@@ -225,7 +225,7 @@ TEST(CpfgFigure, SurfacesAreLaidOnTheTurtle) {
   const Surface& leaf = figure.surfaces.at('l');
   EXPECT_EQ(leaf.position.size(), 16U);
   EXPECT_EQ(leaf.triangle.size(), 18U);
-  EXPECT_EQ(leaf.check(), "");
+  EXPECT_EQ(leaf.find_fault(), "");
   expect_at(DVec3(leaf.position.back()), {6, 6, 2});  // x along left, y along heading, z along up
   // Left is -x and up is -z at the start.
   expect_at(figure.low, {-12, 1, -6});

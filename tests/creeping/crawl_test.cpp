@@ -39,7 +39,7 @@ Faults faults(const Strands& s, const TriangleSurface& host) {
 }
 
 void expect_on(const TriangleSurface& host, const Strands& s) {
-  ASSERT_EQ(s.skeleton.check(), "");
+  ASSERT_EQ(s.skeleton.find_fault(), "");
   Faults f = faults(s, host);
   EXPECT_EQ(f.far, 0u);
   EXPECT_EQ(f.floating, 0u);
@@ -72,7 +72,7 @@ TEST(Crawl, KeepsToWhatScannersGive) {
     TriangleSurface host = built(scanned(Seed{i}));
     Strands s = grow_strands(host, starts_at_foot(host, 12, 0.03, Vec3(0), Seed{3}), {}, Seed{i});
     EXPECT_GT(s.size(), 3000u);
-    ASSERT_EQ(s.skeleton.check(), "");
+    ASSERT_EQ(s.skeleton.find_fault(), "");
     Faults f = faults(s, host);
     EXPECT_EQ(f.far, 0u);
     EXPECT_EQ(f.through, 0u);

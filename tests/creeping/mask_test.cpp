@@ -95,7 +95,7 @@ TEST(Mask, ScalesWhatIsNamed) {
 TEST(Mask, OfBodiesWithoutPaintIsWhite) {
   Surface both = painted_wall([](float) { return 0.0f; });
   append_placed(both, ball(0.5, 12, 8), Vec3(5, 0, 0), Quat(1, 0, 0, 0), Vec3(1));
-  EXPECT_EQ(both.check(), "");
+  EXPECT_EQ(both.find_fault(), "");
   TriangleSurface host = built(both);
   Contact near = *host.closest(DVec3(5, 1, 0));
   EXPECT_EQ(CrawlMask{}.at(host, near.triangle, near.point), 1);

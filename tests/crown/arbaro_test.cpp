@@ -98,7 +98,7 @@ TEST(Arbaro, SpeciesHaveAsManyStemsAndLeavesAsArbaroMakes) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
       Result<Crown> crown = grow_weber_penn(read->tree, Seed{seed});
       ASSERT_TRUE(crown.ok()) << known.name;
-      EXPECT_EQ(crown->skeleton.check(), "") << known.name;
+      EXPECT_EQ(crown->skeleton.find_fault(), "") << known.name;
       stems += count_stems(crown->skeleton) / double{kSeeds};
       leaves += static_cast<double>(crown->leaves.size()) / kSeeds;
     }

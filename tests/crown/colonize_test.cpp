@@ -24,7 +24,7 @@ TEST(Colonize, StaysInTheEnvelopeAndFillsIt) {
   how.jitter = 0;
   Result<Skeleton> s = colonize(ball, how, Seed{1});
   ASSERT_TRUE(s.ok());
-  EXPECT_EQ(s->check(), "");
+  EXPECT_EQ(s->find_fault(), "");
   EXPECT_GT(s->size(), 800u);
   for (std::size_t i = 0; i < s->size(); ++i) {
     Vec3 p = s->position[i];
@@ -88,11 +88,11 @@ TEST(Colonize, TheSameSeedIsTheSameTree) {
   EXPECT_NE(colonize(ball, how, Seed{1})->position, colonize(ball, how, Seed{2})->position);
 }
 
-TEST(DressTips, LeavesStandNearTipsAtTheirSpacing) {
+TEST(LeafSitesNearTips, LeavesStandNearTipsAtTheirSpacing) {
   Skeleton s;
   for (int i = 0; i <= 40; ++i) s.add(Vec3(0, 0.1 * i, 0), 0.01f, i - 1, 0);
   set_tip_distances(s);
-  std::vector<LeafSite> leaves = dress_tips(s, 1.0, 0.05, radians(50.0), Seed{1});
+  std::vector<LeafSite> leaves = leaf_sites_near_tips(s, 1.0, 0.05, radians(50.0), Seed{1});
   EXPECT_NEAR(static_cast<double>(leaves.size()), 22, 1);
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     EXPECT_GE(leaves[i].position.y, 2.8f);

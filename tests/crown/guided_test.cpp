@@ -70,7 +70,7 @@ TEST(Guided, WeberPennTrunksFollowTheirAxesAndBearByTheirLaws) {
     Result<Crown> crown = grow_weber_penn(tree, Seed{seed});
     ASSERT_TRUE(crown);
     const Skeleton& s = crown->skeleton;
-    EXPECT_EQ(s.check(), "");
+    EXPECT_EQ(s.find_fault(), "");
     double length = axes[0].length();
     int stems = 0;
     for (std::size_t i = 0; i < s.size(); ++i) {
@@ -95,7 +95,7 @@ TEST(Guided, ColonizedTreesGrowFromTheirAxes) {
   std::vector<GuideAxis> axes = axes_of(forked());
   Result<Skeleton> s = colonize(ball, how, Seed{1}, forked());
   ASSERT_TRUE(s);
-  EXPECT_EQ(s->check(), "");
+  EXPECT_EQ(s->find_fault(), "");
   EXPECT_LT(unmet(axes, *s), how.step);
   std::size_t off = 0;
   for (const Vec3& at : s->position) {

@@ -56,7 +56,7 @@ TEST(WeberPenn, TheTrunkIsAsLongAndAsThickAsTheFormulas) {
   Result<Crown> c = grow_weber_penn(t, Seed{1});
   ASSERT_TRUE(c.ok());
   const Skeleton& s = c->skeleton;
-  EXPECT_EQ(s.check(), "");
+  EXPECT_EQ(s.find_fault(), "");
   EXPECT_EQ(s.size(), 6u);
   EXPECT_NEAR(s.position.back().y, 8, 1e-4);
   EXPECT_NEAR(s.radius.front(), 8 * 0.02 * 1.5, 1e-5);
@@ -168,7 +168,7 @@ TEST(WeberPenn, SplitsMakeClones) {
   t.base_splits = 2;
   t.level[0].split_angle = radians(30.0);
   Result<Crown> c = grow_weber_penn(t, Seed{1});
-  EXPECT_EQ(c->skeleton.check(), "");
+  EXPECT_EQ(c->skeleton.find_fault(), "");
   EXPECT_EQ(c->skeleton.size(), 6u + 2 * 4);  // two clones of four segments
   t.base_splits = 0;
   t.level[0].seg_splits = 1;

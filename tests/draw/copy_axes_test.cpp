@@ -16,12 +16,12 @@ TEST(CopyAxes, SownHerbsLeanInTheWind) {
   Result<Scene> built = build_scene(*preset);
   ASSERT_TRUE(built) << built.errors().front().text();
   const Scene& scene = *built;
-  ASSERT_EQ(scene.stands.size(), 2u);
-  EXPECT_FALSE(scene.stands[1].wind);
-  ASSERT_TRUE(scene.stands[0].wind);
+  ASSERT_EQ(scene.copy_sets.size(), 2u);
+  EXPECT_FALSE(scene.copy_sets[1].wind);
+  ASSERT_TRUE(scene.copy_sets[0].wind);
   double least = 1e9, most = -1e9;
   for (int frame = 0; frame < 48; ++frame) {
-    Vec3 up = copy_axes(scene.stands[0], scene.film, 0, frame / 24.0) * Vec3(0, 1, 0);
+    Vec3 up = copy_axes(scene.copy_sets[0], scene.film, 0, frame / 24.0) * Vec3(0, 1, 0);
     EXPECT_LT(glm::length(Vec2(up.x, up.z)), 1.2f * up.y);
     least = std::min<double>(least, up.z), most = std::max<double>(most, up.z);
   }

@@ -20,8 +20,8 @@ const Scene& rainy_meadow(double rate, double wind = 0) {
     if (!preset) ADD_FAILURE() << preset.errors().front().text();
     return *build_scene(*preset);
   }();
-  scene.stage.rain->rate = rate;
-  scene.stage.wind = wind > 0 ? std::optional(Wind{.speed = wind, .direction = {1, 0, 0}}) : std::nullopt;
+  scene.setup.rain->rate = rate;
+  scene.setup.wind = wind > 0 ? std::optional(Wind{.speed = wind, .direction = {1, 0, 0}}) : std::nullopt;
   return scene;
 }
 
@@ -41,7 +41,7 @@ TEST(RainStreaks, FallOnRoofsAndNotBelow) {
   roof.position = {{-2, 2, 1}, {2, 2, 1}, {2, 2, 5}, {-2, 2, 5}};
   roof.triangle = {{0, 1, 2}, {0, 2, 3}};
   CoverGrid bodies({0, 3}, 20, 0.1f);
-  bodies.take(roof);
+  bodies.add(roof);
   scene.overhead = std::make_shared<const CoverGrid>(std::move(bodies));
   EXPECT_EQ(below(), 0);
 }

@@ -24,8 +24,8 @@ Scene& snowy_meadow(double falling, double wind = 0) {
     if (!preset) ADD_FAILURE() << preset.errors().front().text();
     return *build_scene(*preset);
   }();
-  scene.stage.snow.falling = falling;
-  scene.stage.wind = wind > 0 ? std::optional(Wind{.speed = wind, .direction = {1, 0, 0}}) : std::nullopt;
+  scene.setup.snow.falling = falling;
+  scene.setup.wind = wind > 0 ? std::optional(Wind{.speed = wind, .direction = {1, 0, 0}}) : std::nullopt;
   return scene;
 }
 
@@ -127,7 +127,7 @@ double height_on(double rises, float radius, double time = 0) {
   Specimen s = branch(rises, radius);
   DrawList drawn(s, time);
   BoughSnow snow = bough_snow(drawn, time, 0.001);
-  EXPECT_EQ(snow.heaps.check(), "");
+  EXPECT_EQ(snow.heaps.find_fault(), "");
   double most = -1;
   for (Vec3 p : snow.heaps.position) most = std::max<double>(most, p.y - 2 - radius);
   return most;

@@ -44,7 +44,7 @@ TEST(Coarser, StaysWithinAPixelOfItsPlaceAndGrowsWithThePixels) {
     std::optional<Coarser> less = coarser(whole, pixel, Quality::good);
     ASSERT_TRUE(less) << pixel;
     Surface drawn = drawn_coarser(whole, *less);
-    EXPECT_EQ(drawn.check(), "");
+    EXPECT_EQ(drawn.find_fault(), "");
     EXPECT_LT(deepest(drawn), pixel);
     // The error of facets goes by the square of their sides: so do pixels to triangles.
     EXPECT_LT(drawn.triangle.size(), before / 2) << pixel;
@@ -90,7 +90,7 @@ TEST(Coarser, FacesStayFlatWhereARoundedEdgeIsGone) {
   std::optional<Coarser> less = coarser(table, 0.1, Quality::draft);
   ASSERT_TRUE(less);
   Surface drawn = drawn_coarser(table, *less);
-  EXPECT_EQ(drawn.check(), "");
+  EXPECT_EQ(drawn.find_fault(), "");
   for (const auto& t : drawn.triangle) {
     Vec3 facing = glm::normalize(
         glm::cross(drawn.position[t[1]] - drawn.position[t[0]], drawn.position[t[2]] - drawn.position[t[0]]));
@@ -117,7 +117,7 @@ TEST(DrawnFloor, KeepsItsHeightAndItsOutline) {
   Scene scene = scene_at("tests/presets/tiny_garden.json");
   const Surface& whole = scene.ground->floor();
   Surface drawn = drawn_floor(scene);
-  EXPECT_EQ(drawn.check(), "");
+  EXPECT_EQ(drawn.find_fault(), "");
   EXPECT_LT(drawn.triangle.size(), whole.triangle.size() / 2);
   // What it covers seen from above is the same, without gaps or folds.
   auto covered = [](const Surface& s) {

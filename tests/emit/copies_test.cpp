@@ -33,10 +33,10 @@ const std::string kStill = R"({"frames": 1, "size": [800, 600], "quality": "good
 CopyPlan planned(const Scene& scene) {
   Views views(scene);
   CopyPlan plan = views.empty_plan();
-  for (std::size_t s = 0; s < scene.stands.size(); ++s) {
-    const SownStand& stand = scene.stands[s];
-    for (int model = 0; model < stand.organism.sown->models; ++model) {
-      std::vector<Surfel> surfels = surfels_of(stand.dress.look, *grow_copy(stand.organism, model));
+  for (std::size_t s = 0; s < scene.copy_sets.size(); ++s) {
+    const CopySet& set = scene.copy_sets[s];
+    for (int model = 0; model < set.organism.sown->models; ++model) {
+      std::vector<Surfel> surfels = surfels_of(set.appearance.look, *grow_copy(set.organism, model));
       Views::add(plan, s, views.plan(s, model, surfels));
       plan.surfels[s].push_back(std::move(surfels));
     }
@@ -46,14 +46,14 @@ CopyPlan planned(const Scene& scene) {
 
 /// The finest level at which each copy of the first stand is drawn; kLevelCount: it is not.
 std::vector<int> finest(const Scene& scene, const CopyPlan& plan, std::size_t stretch = 0) {
-  std::vector<int> level(scene.stands[0].copies.size(), kLevelCount);
+  std::vector<int> level(scene.copy_sets[0].copies.size(), kLevelCount);
   for (const Drawn& one : plan.drawn[stretch][0]) level[one.copy] = std::min<int>(level[one.copy], one.level);
   return level;
 }
 
 TEST(CopyPlan, NearCopiesAreFinerAndWhatIsBehindUsIsLeftOut) {
   Scene scene = scene_of(preset_text(kStill));
-  const Copies& copies = scene.stands[0].copies;
+  const Copies& copies = scene.copy_sets[0].copies;
   std::vector<int> level = finest(scene, planned(scene));
   double nearest[kLevelCount + 1] = {1e9, 1e9, 1e9, 1e9, 1e9, 1e9, 1e9};
   int behind = 0;
@@ -84,11 +84,11 @@ TEST(CopyPlan, TheSameFilmLargerIsFiner) {
 
 TEST(CopyPlan, OfATallTreeWhatIsNearIsFine) {
   Scene scene = scene_of(preset_text(kStill));
-  SownStand& stand = scene.stands[0];
+  CopySet& set = scene.copy_sets[0];
   std::vector<Surfel> surfels;  // of a pole, eighteen metres high, right before the camera
   for (int i = 0; i < 90; ++i)
     surfels.push_back({Vec3(0, 0.2f * static_cast<float>(i), 0), 1, 0.2f, Vec3(0.5f), 0.3f});
-  stand.copies = {{0}, {Vec3(0, 0, 38)}, {Quat(1, 0, 0, 0)}, {1}, {0}, {}};
+  set.copies = {{0}, {Vec3(0, 0, 38)}, {Quat(1, 0, 0, 0)}, {1}, {0}, {}};
   ModelPlan plan = Views(scene).plan(0, 0, surfels);
   ModelBlocks blocks = blocks_of(surfels);
   ASSERT_EQ(blocks.count(), 6);
@@ -103,7 +103,7 @@ TEST(CopyPlan, PiecesThatThrowShadowsAreNoWiderThanTheirBlur) {
   std::vector<Surfel> surfels;  // of a pole of thirty metres
   for (int i = 0; i < 150; ++i)
     surfels.push_back({Vec3(0, 0.2f * static_cast<float>(i), 0), 1, 0.2f, Vec3(0.5f), 0.3f});
-  Copies& copies = scene.stands[0].copies = {};
+  Copies& copies = scene.copy_sets[0].copies = {};
   for (double turn = 0; turn < 2 * kPi; turn += kPi / 8) {  // round the camera, as near as its top sees it
     copies.model.push_back(0), copies.scale.push_back(1), copies.tint.push_back(0);
     copies.turn.push_back(Quat(1, 0, 0, 0));
@@ -164,8 +164,8 @@ TEST(CopyPlan, ACameraThatZoomsMovesToo) {
 
 TEST(ModelBlocks, HoldAllOfAModelOnce) {
   Scene scene = scene_of(preset_text(kStill));
-  const SownStand& stand = scene.stands[0];
-  Model model = *grow_copy(stand.organism, 0);
+  const CopySet& set = scene.copy_sets[0];
+  Model model = *grow_copy(set.organism, 0);
   std::vector<Vec3> corners{Vec3(-4, 0, -4), Vec3(4, 3, 4), Vec3(0, 8, 0)};
   ModelBlocks blocks(corners);
   EXPECT_EQ(blocks.count(), 3);
@@ -174,13 +174,13 @@ TEST(ModelBlocks, HoldAllOfAModelOnce) {
   }
   for (const Vec3& at : corners) EXPECT_LT(glm::distance(at, blocks.middle(blocks.of(at))), blocks.radius());
   EXPECT_EQ(ModelBlocks(std::vector<Vec3>{Vec3(0), Vec3(0, 4, 1)}).count(), 1);
-  for (const CopyPart& part : copy_parts(stand.dress.look, model, kLevels[2], &blocks)) {
+  for (const CopyPart& part : copy_parts(set.appearance.look, model, kLevels[2], &blocks)) {
     ASSERT_EQ(part.block.size(), part.surface.triangle.size());
     double whole = area(part.surface), sum = 0;
     std::size_t triangles = 0;
     for (int b = 0; b < blocks.count(); ++b) {
       Surface some = in_block(part, b);
-      EXPECT_EQ(some.check(), "");
+      EXPECT_EQ(some.find_fault(), "");
       sum += area(some);
       triangles += some.triangle.size();
     }
@@ -193,10 +193,9 @@ TEST(ModelBlocks, HoldAllOfAModelOnce) {
 std::pair<std::string, std::string> texts(const Scene& scene, CopyPlan& plan) {
   std::string models;
   for (ModelFile& file : plan.files) {
-    const SownStand& stand = scene.stands[file.stand];
-    const std::vector<Surfel>& surfels = plan.surfels[file.stand][static_cast<std::size_t>(file.model)];
-    ModelText text =
-        model_texts({file}, stand, *grow_copy(stand.organism, file.model), blocks_of(surfels))[0];
+    const CopySet& set = scene.copy_sets[file.copy_set];
+    const std::vector<Surfel>& surfels = plan.surfels[file.copy_set][static_cast<std::size_t>(file.model)];
+    ModelText text = model_texts({file}, set, *grow_copy(set.organism, file.model), blocks_of(surfels))[0];
     file.parts = text.parts;
     EXPECT_LE(file.parts.size(), 2u) << "wood and leaves, or what of them is large enough there";
     models += text.file_text();

@@ -30,7 +30,7 @@ TEST(Focus, BlurIsLeastOnTheOrganismNamed) {
   const std::string stands = R"("location": [0, 1, 8], "look_at": [0, 1, 0], "focus": )";
   for (const char* name : {"near", "far", "bush"}) {
     Scene scene = three(stands + '"' + name + '"');
-    Lens lens = lens_at(scene.stage.camera, 0, scene.film.aspect());
+    Lens lens = lens_at(scene.setup.camera, 0, scene.film.aspect());
     std::optional<Vec3> at = named_focus(scene, 0);
     ASSERT_TRUE(at) << name;
     Vec3 seen = lens.seen(*at);
@@ -72,7 +72,7 @@ TEST(Focus, GoesWithTheCameraAndWithWhatMoves) {
   Scene scene =
       three(R"("location": [[0, [0, 1, 8]], [1, [0, 1, 12]]], "look_at": [0, 1, 0], "focus": "near")");
   auto from_camera = [&](double time) {
-    return glm::distance(*named_focus(scene, time), scene.stage.camera.location.at(time));
+    return glm::distance(*named_focus(scene, time), scene.setup.camera.location.at(time));
   };
   EXPECT_NEAR(from_camera(1) - from_camera(0), 4, 0.03);
   Scene sways = three(R"("location": [-2, 1.5, 5], "look_at": [-2, 1.5, 0], "focus": "bush")");
@@ -85,13 +85,13 @@ TEST(Focus, GoesWithTheCameraAndWithWhatMoves) {
 TEST(Focus, IsAskedForByNameAndLensOnly) {
   EXPECT_FALSE(named_focus(three(R"("location": [0, 1, 8], "focus": [0, 1, 0])"), 0));
   Scene sharp = three(R"("location": [0, 1, 8], "focus": "near")");
-  sharp.stage.camera.aperture.reset();
+  sharp.setup.camera.aperture.reset();
   EXPECT_FALSE(named_focus(sharp, 0));
   Scene behind = three(R"("location": [0, 1, -20], "look_at": [0, 1, -30], "focus": "near")");
   EXPECT_FALSE(named_focus(behind, 0)) << "it is behind the camera";
-  Camera plain = behind.stage.camera;
+  Camera plain = behind.setup.camera;
   plain.focus.reset();
-  EXPECT_EQ(camera_text({}, behind.stage.camera, behind.film, 0), camera_text({}, plain, behind.film, 0))
+  EXPECT_EQ(camera_text({}, behind.setup.camera, behind.film, 0), camera_text({}, plain, behind.film, 0))
       << "then what it looks at is sharp";
 }
 
@@ -101,9 +101,9 @@ TEST(Focus, NamesOfOrganismsSownAreGood) {
         {"kind": "plant", "name": "herb", "height": 0.5, "count": 1, "sown": {"where": {"radius": 0.2}}, "place": {"at": [[0, 0]]},
          "grammar": {"axiom": "F", "steps": 1}}]})",
                                           "test.json", {}));
-  ASSERT_FALSE(scene.stands.empty());
+  ASSERT_FALSE(scene.copy_sets.empty());
   std::optional<Vec3> at = named_focus(scene, 0);
-  EXPECT_EQ(at.has_value(), scene.stands[0].copies.size() > 0);
+  EXPECT_EQ(at.has_value(), scene.copy_sets[0].copies.size() > 0);
 }
 
 }  // namespace

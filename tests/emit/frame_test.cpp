@@ -62,9 +62,9 @@ TEST(Frame, WritesANameThatCannotBreakOut) {
 TEST(Frame, BlursAsALensOfTheFNumberDoes) {
   Scene scene = scene_at("tests/presets/tiny_light.json");
   EXPECT_EQ(count(text_of(scene, 1), "aperture"), 0u);
-  scene.stage.camera.angle = Animated<double>(degrees(2 * std::atan(0.018 / 0.05)));
-  scene.stage.camera.aperture = 2;
-  scene.stage.camera.focus = Focus{Animated<Vec3>(Vec3(1, 2, 3)), ""};
+  scene.setup.camera.angle = Animated<double>(degrees(2 * std::atan(0.018 / 0.05)));
+  scene.setup.camera.aperture = 2;
+  scene.setup.camera.focus = Focus{Animated<Vec3>(Vec3(1, 2, 3)), ""};
   std::string text = text_of(scene, 1);
   EXPECT_EQ(count(text, " aperture 0.25 focal_point<10,20,-30>"), 1u)
       << "50 mm at f/2: 25 mm, and 10 units a metre";
@@ -73,7 +73,7 @@ TEST(Frame, BlursAsALensOfTheFNumberDoes) {
 TEST(Frame, ExposuresLieWithinTheTimeOfTheShutter) {
   Scene scene = scene_at("tests/presets/tiny_film.json");
   const Film& film = scene.film;
-  Camera& camera = scene.stage.camera;
+  Camera& camera = scene.setup.camera;
   const std::string layout = "{{file}} {{time}}{{tone}}|{{camera}}{{organisms}}";
   FrameParts parts = prepare_frames(scene);
   auto exposed = [&](int frame, int exposure) {
@@ -114,7 +114,7 @@ TEST(Frame, AFilmThatLoopsDoesSoWithItsExposures) {
   Scene scene = scene_at("tests/presets/tiny_film.json");
   for (Specimen& s : scene.specimens)
     s.motion.growth = {}, s.motion.food.strength = 0, s.motion.wave.speed = 1;
-  Camera& camera = scene.stage.camera;
+  Camera& camera = scene.setup.camera;
   camera.location = Animated<Vec3>(Vec3(0, 0.6, 2.2));
   camera.shutter = 1, camera.shutter_samples = 2;
   FrameParts parts = prepare_frames(scene);
@@ -133,8 +133,8 @@ TEST(Frame, ExposesTheStudioToo) {
   ASSERT_TRUE(text_of(scene, 1).find("Studio_Room(") != std::string::npos);
   EXPECT_EQ(count(text_of(scene, 1), "Studio_Lamp("), 4u);
   EXPECT_EQ(count(text_of(scene, 1), "rgb <1.28,1.2288,1.152>"), 1u) << "the main light";
-  scene.stage.camera.exposure = 2;
-  scene.stage.camera.highlights = 1;
+  scene.setup.camera.exposure = 2;
+  scene.setup.camera.highlights = 1;
   EXPECT_EQ(count(text_of(scene, 1), "rgb <2.56,2.4576,2.304>"), 1u) << "one stop more";
 }
 

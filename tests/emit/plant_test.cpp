@@ -120,10 +120,10 @@ TEST(Includes, AreThoseOfTheSetting) {
   EXPECT_EQ(includes_text(scene),
             "#include \"frond_meadow.inc\"\n#include \"frond_plant.inc\"\n#include \"frond_far.inc\"");
   scene.far.reset();
-  scene.stage.setting = row_of("studio");
+  scene.setup.setting = row_of("studio");
   EXPECT_EQ(includes_text(scene), "#include \"frond_studio.inc\"\n#include \"frond_plant.inc\"");
   scene.specimens[0].look.branches.bark.reset();
-  scene.stage.setting = row_of("underwater");
+  scene.setup.setting = row_of("underwater");
   EXPECT_EQ(includes_text(scene),
             "#include \"frond_water.inc\"\n#include \"frond_sand.inc\"\n#include \"frond_coral.inc\"\n"
             "#include \"frond_food.inc\"");

@@ -14,8 +14,8 @@ namespace {
 TEST(Setting, FramesAndSoftLightHaveTheSunOfItsTable) {
   Scene scene = scene_at("tests/presets/tiny_film.json");
   for (std::string_view name : {"underwater", "studio", "meadow", "garden", "forest"}) {
-    scene.stage.setting = row_of(name);
-    Daylight light = drawn_daylight(scene.stage);
+    scene.setup.setting = row_of(name);
+    Daylight light = drawn_daylight(scene.setup);
     if (name == "underwater" || name == "studio") {
       EXPECT_NE(setting_text(scene, 0).find(light_text(light.sunlight)), std::string::npos) << name;
     }
@@ -29,11 +29,11 @@ TEST(Setting, FramesAndSoftLightHaveTheSunOfItsTable) {
 
 TEST(Setting, DeepWaterTakesRedFromTheSunOfAllPictures) {
   Scene scene = scene_at("tests/presets/tiny_film.json");
-  scene.stage.setting = row_of("underwater");
-  Vec3 shallow = daylight_of(scene.stage).sunlight;
-  for (std::any& block : scene.stage.blocks)
+  scene.setup.setting = row_of("underwater");
+  Vec3 shallow = daylight_of(scene.setup).sunlight;
+  for (std::any& block : scene.setup.blocks)
     if (auto* water = std::any_cast<Water>(&block)) water->depth = 8;
-  Vec3 left = daylight_of(scene.stage).sunlight / shallow;
+  Vec3 left = daylight_of(scene.setup).sunlight / shallow;
   EXPECT_LT(left.r, 0.1f);
   EXPECT_GT(left.b, 0.7f);
   EXPECT_NE(setting_text(scene, 0).find(light_text(left * shallow)), std::string::npos);

@@ -11,7 +11,7 @@ namespace {
 
 Scene with_copies(int count) {
   Scene scene;
-  scene.stage.setting = row_of("studio");
+  scene.setup.setting = row_of("studio");
   Specimen& b = scene.specimens.emplace_back();
   b.name = "pebbles";
   Solid solid;

@@ -34,7 +34,7 @@ TEST(CostEstimate, IsWithinAFactorOfTwoOfWhatIsWritten) {
     FrameParts parts = prepare_frames(scene);
     auto nodes = static_cast<double>(scene.nodes());
     auto bytes = static_cast<double>(frame_text(scene, parts, layout, preset.film.frames)->size());
-    if (has_soft_light(scene.stage) && light_changes(scene, parts.pixel)) {
+    if (has_soft_light(scene.setup) && light_changes(scene, parts.pixel)) {
       double end = scene.film.time(preset.film.frames);
       bytes +=
           static_cast<double>(soft_light_text(parts.space, scene, parts.plan.surfels, end, true)->size());
@@ -244,7 +244,7 @@ TEST(CostEstimate, AViewHasNoLightAndNoText) {
 TEST(CostEstimate, CountsMasksInMemory) {
   Preset preset = preset_at("presets/garden/bush.json");
   double bare = estimate_of(preset).memory(1);
-  Mask& map = preset.stage.block<Meadow>().lawn.map;
+  Mask& map = preset.setup.block<Meadow>().lawn.map;
   map.width = map.height = 4096;
   map.grey = std::make_shared<const std::vector<float>>(4096u * 4096u, 0.5f);
   double held = 4.0 * 4096 * 4096;
@@ -276,7 +276,7 @@ TEST(CostEstimate, RefusesPicturesThatCannotBeResolved) {
   EXPECT_NE(errors.front().what.find("--no-resolve"), std::string::npos);
   preset.film.frames = 1;  // a still is made in bands
   EXPECT_LT(estimate_of(preset).resolve_memory, 1e10);
-  preset.stage.camera.aperture = 2;
+  preset.setup.camera.aperture = 2;
   EXPECT_GT(estimate_of(preset).resolve_memory, 1e11) << "through a lens light comes from everywhere";
 }
 

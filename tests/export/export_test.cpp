@@ -68,7 +68,7 @@ TEST(ExportScene, holds_sound_meshes_a_few_for_each_organism) {
     for (const ExportMesh& mesh : exported.meshes) {
       EXPECT_TRUE(names.insert(mesh.name).second) << mesh.name;
       for (const ExportPart& part : mesh.parts) {
-        EXPECT_EQ(part.surface.check(), "") << mesh.name;
+        EXPECT_EQ(part.surface.find_fault(), "") << mesh.name;
         EXPECT_LT(part.material, exported.materials.size());
       }
     }
@@ -89,7 +89,7 @@ TEST(ExportScene, has_no_more_triangles_than_it_may) {
   ASSERT_TRUE(less);
   EXPECT_LT(all_triangles(*less), all / 2);
   for (const ExportMesh& mesh : less->meshes)
-    for (const ExportPart& part : mesh.parts) EXPECT_EQ(part.surface.check(), "") << mesh.name;
+    for (const ExportPart& part : mesh.parts) EXPECT_EQ(part.surface.find_fault(), "") << mesh.name;
 }
 
 TEST(ExportScene, paints_what_patterns_draw) {
@@ -119,7 +119,7 @@ TEST(ExportScene, follows_the_style) {
     Scene scene = garden(style);
     ExportScene exported = export_scene_of(scene);
     const Surface& coral = exported.meshes[0].parts[0].surface;
-    EXPECT_EQ(coral.check(), "");
+    EXPECT_EQ(coral.find_fault(), "");
     EXPECT_GT(coral.triangle.size(), 300u);
     EXPECT_NE(coral.triangle.size(), export_scene_of(garden()).meshes[0].parts[0].surface.triangle.size());
   }
@@ -168,7 +168,7 @@ TEST(Obj, is_read_back_by_tinyobjloader) {
 }
 
 template <class T>
-T take(std::string_view& bytes) {
+T read(std::string_view& bytes) {
   T value;
   EXPECT_GE(bytes.size(), sizeof(T));
   std::memcpy(&value, bytes.data(), sizeof(T));
@@ -193,9 +193,9 @@ TEST(Ply, has_what_its_header_says) {
   ASSERT_EQ(bytes.size(), vertices * (8 * 4 + 3) + faces * 13);
   Surface first = placed(exported.meshes[exported.placements[0].mesh].parts[0], exported.placements[0]);
   for (std::size_t v = 0; v < vertices; ++v) {
-    Vec3 at = take<Vec3>(bytes), normal = take<Vec3>(bytes);
-    take<Vec2>(bytes);
-    auto red = take<unsigned char>(bytes);
+    Vec3 at = read<Vec3>(bytes), normal = read<Vec3>(bytes);
+    read<Vec2>(bytes);
+    auto red = read<unsigned char>(bytes);
     bytes.remove_prefix(2);
     EXPECT_NEAR(glm::length(normal), 1, 1e-3);
     if (v < first.position.size()) {
@@ -205,8 +205,8 @@ TEST(Ply, has_what_its_header_says) {
     }
   }
   for (std::size_t f = 0; f < faces; ++f) {
-    ASSERT_EQ(take<unsigned char>(bytes), 3);
-    for (int k = 0; k < 3; ++k) ASSERT_LT(take<std::uint32_t>(bytes), vertices);
+    ASSERT_EQ(read<unsigned char>(bytes), 3);
+    for (int k = 0; k < 3; ++k) ASSERT_LT(read<std::uint32_t>(bytes), vertices);
   }
 }
 
@@ -216,14 +216,14 @@ TEST(Glb, keeps_to_the_format) {
   std::string_view bytes = all;
   ASSERT_EQ(bytes.substr(0, 4), "glTF");
   bytes.remove_prefix(4);
-  EXPECT_EQ(take<std::uint32_t>(bytes), 2u);
-  EXPECT_EQ(take<std::uint32_t>(bytes), all.size());
-  auto json_size = take<std::uint32_t>(bytes);
+  EXPECT_EQ(read<std::uint32_t>(bytes), 2u);
+  EXPECT_EQ(read<std::uint32_t>(bytes), all.size());
+  auto json_size = read<std::uint32_t>(bytes);
   EXPECT_EQ(json_size % 4, 0u);
   EXPECT_EQ(bytes.substr(0, 4), "JSON");
   json root = json::parse(bytes.substr(4, json_size));
   bytes.remove_prefix(4 + json_size);
-  auto bin_size = take<std::uint32_t>(bytes);
+  auto bin_size = read<std::uint32_t>(bytes);
   EXPECT_EQ(bytes.substr(0, 4), std::string_view("BIN\0", 4));
   bytes.remove_prefix(4);
   ASSERT_EQ(bytes.size(), bin_size);
@@ -263,7 +263,7 @@ TEST(Glb, keeps_to_the_format) {
     std::string_view places = bytes.substr(offset_of(at)), corners = bytes.substr(offset_of(index));
     Vec3 low(1e9f), high(-1e9f);
     for (std::size_t v = 0; v < at["count"].get<std::size_t>(); ++v) {
-      Vec3 p = take<Vec3>(places);
+      Vec3 p = read<Vec3>(places);
       low = glm::min(low, p), high = glm::max(high, p);
     }
     for (int a = 0; a < 3; ++a) {
@@ -273,7 +273,7 @@ TEST(Glb, keeps_to_the_format) {
     }
     ASSERT_EQ(index["componentType"], 5123);
     for (std::size_t i = 0; i < index["count"].get<std::size_t>(); ++i)
-      ASSERT_LT(take<std::uint16_t>(corners), at["count"].get<std::uint32_t>());
+      ASSERT_LT(read<std::uint16_t>(corners), at["count"].get<std::uint32_t>());
   }
 }
 
@@ -292,8 +292,8 @@ Scene sown_lawn() {
 
 TEST(ExportScene, holds_each_sown_model_once_and_each_copy_of_it) {
   Scene scene = sown_lawn();
-  ASSERT_EQ(scene.stands.size(), 2u);
-  ASSERT_GT(scene.stands[0].copies.size(), 20u);
+  ASSERT_EQ(scene.copy_sets.size(), 2u);
+  ASSERT_GT(scene.copy_sets[0].copies.size(), 20u);
   ExportScene exported = export_scene_of(scene, 0);
   std::map<std::size_t, std::size_t> copies;
   for (const ExportPlacement& p : exported.placements) ++copies[p.mesh];
@@ -303,15 +303,15 @@ TEST(ExportScene, holds_each_sown_model_once_and_each_copy_of_it) {
   for (std::size_t m = 0; m < exported.meshes.size(); ++m) {
     const ExportMesh& mesh = exported.meshes[m];
     EXPECT_TRUE(names.insert(mesh.name).second) << mesh.name;
-    for (const ExportPart& part : mesh.parts) EXPECT_EQ(part.surface.check(), "") << mesh.name;
+    for (const ExportPart& part : mesh.parts) EXPECT_EQ(part.surface.find_fault(), "") << mesh.name;
     if (mesh.name.starts_with("herb")) herbs += copies[m];
     if (mesh.name.starts_with("stone")) stones += copies[m];
   }
-  EXPECT_EQ(herbs, scene.stands[0].copies.size());
-  EXPECT_EQ(stones, scene.stands[1].copies.size());
+  EXPECT_EQ(herbs, scene.copy_sets[0].copies.size());
+  EXPECT_EQ(stones, scene.copy_sets[1].copies.size());
   // The copies stand where they are sown.
   Surface first = placed(exported.meshes[0].parts[0], exported.placements[0]);
-  EXPECT_LT(glm::distance(first.position[0], scene.stands[0].copies.foot[0]), 0.3f);
+  EXPECT_LT(glm::distance(first.position[0], scene.copy_sets[0].copies.foot[0]), 0.3f);
   EXPECT_EQ(exported.groups.size(), 2u);
   // With instances all copies of a model are one node, else each is one.
   for (bool instances : {false, true}) {

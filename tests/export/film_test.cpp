@@ -221,7 +221,7 @@ TEST(Levels, have_a_quarter_of_the_triangles_each) {
     ASSERT_EQ(mesh.coarser.size(), 2u) << mesh.name;
     auto count = [&](double& sum, const std::vector<ExportPart>& parts) {
       for (const ExportPart& part : parts) {
-        EXPECT_EQ(part.surface.check(), "") << mesh.name;
+        EXPECT_EQ(part.surface.find_fault(), "") << mesh.name;
         EXPECT_TRUE(part.tint.empty() || part.tint.size() == part.surface.position.size());
         sum += static_cast<double>(part.surface.triangle.size());
       }

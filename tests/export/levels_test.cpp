@@ -51,7 +51,7 @@ struct Tones {
   Vec3 leaf{0}, other{0};
   float leaves = 0, others = 0;
 
-  void take(const Portrait& portrait) {
+  void add(const Portrait& portrait) {
     for (std::size_t i = 0; i < portrait.cover.size(); ++i) {
       if (portrait.cover[i] < 0.99f) continue;
       if (portrait.leaves[i] > 0.99f) leaf += portrait.light[i], ++leaves;
@@ -79,7 +79,7 @@ Level level_of(const ExportScene& exported, std::size_t number, const Bounds* fr
   std::vector<Sitter> sitters;
   for (const ExportPart* part : level.parts) {
     sitters.push_back({part});
-    for (const Vec3& p : part->surface.position) level.box.take(p);
+    for (const Vec3& p : part->surface.position) level.box.extend(p);
     level.triangles += static_cast<double>(part->surface.triangle.size());
     if (!exported.materials[part->material].leaf) continue;
     level.leaves += area(part->surface);
@@ -94,7 +94,7 @@ Level level_of(const ExportScene& exported, std::size_t number, const Bounds* fr
     EXPECT_TRUE(portrait);
     Vec2 size = view.high - view.low;
     level.silhouette[k] = portrait->covered() * static_cast<double>(size.x * size.y);
-    if (tones && number == 0) tones->take(*portrait);
+    if (tones && number == 0) tones->add(*portrait);
     level.seen_leaves[k] = static_cast<double>(size.x * size.y);
     portraits.push_back(std::move(*portrait));
   }
@@ -183,7 +183,7 @@ TEST(LevelsOfATree, thin_a_trunk_by_no_half) {
       if (mesh.name.ends_with("branches") && mesh.has_level(number))
         for (const ExportPart& part : number == 0 ? mesh.parts : mesh.coarser[number - 1])
           for (const Vec3& p : part.surface.position)
-            if (p.y < 0.3f) foot.take(p);
+            if (p.y < 0.3f) foot.extend(p);
     return foot.empty() ? 0 : foot.size().x;
   };
   for (std::size_t number = 1; number < 4; ++number)

@@ -39,7 +39,7 @@ void expect_printable(const Scene& scene, double time, const std::string& what) 
     if (mesh.name.find("_branches") == mesh.name.npos) continue;
     ++bodies;
     PrintedPieces pieces = printed_pieces(mesh.parts[0].surface);
-    EXPECT_EQ(mesh.parts[0].surface.check(), "") << what;
+    EXPECT_EQ(mesh.parts[0].surface.find_fault(), "") << what;
     EXPECT_EQ(pieces.crowded, 0u) << what << ' ' << mesh.name;
     EXPECT_EQ(pieces.flat, 0u) << what << ' ' << mesh.name;
     ASSERT_EQ(pieces.volume.size(), 1u) << what << ' ' << mesh.name;

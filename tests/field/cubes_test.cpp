@@ -30,7 +30,7 @@ TEST(Cubes, of_a_thick_branch_fill_it) {
   s.add({0.1f, 1, 0.2f}, 0.3f, 0, 0);
   std::vector<std::uint32_t> cube;
   Surface surface = cubes_surface(cubes_at(s, 0.03), cube);
-  EXPECT_EQ(surface.check(), "");
+  EXPECT_EQ(surface.find_fault(), "");
   EXPECT_EQ(2 * cube.size(), surface.triangle.size());
   Closure c = measure(welded(surface));
   EXPECT_EQ(c.open, 0u);

@@ -77,7 +77,7 @@ TEST(Rough, IsWatertightAndManifold) {
       params.steps = 4, params.height = 1, params.thickness.radius = seed % 2 ? 0.03 : 0.012;
       FusedMesh mesh = rough_at_rest(*grow_coral(params, Seed{static_cast<std::uint64_t>(seed)}),
                                      {.voxel = 0.012, .roughness = roughness});
-      EXPECT_EQ(mesh.surface.check(), "");
+      EXPECT_EQ(mesh.surface.find_fault(), "");
       PrintedPieces pieces = printed_pieces(mesh.surface);
       EXPECT_EQ(pieces.crowded, 0u) << seed << ' ' << roughness;
       EXPECT_EQ(pieces.flat, 0u) << seed << ' ' << roughness;

@@ -24,7 +24,7 @@ TEST(Fuse, a_stick_is_closed_faces_outward_and_has_its_volume) {
   Skeleton s = stick({0.1f, 0.2f, 0}, {0.3f, 1, 0.2f}, 0.1f, 0.1f);
   Result<FusedMesh> mesh = fuse(boughs_of(s, 1), {.voxel = 0.01, .adaptivity = 0});
   ASSERT_TRUE(mesh);
-  EXPECT_EQ(mesh->surface.check(), "");
+  EXPECT_EQ(mesh->surface.find_fault(), "");
   Closure c = measure(mesh->surface);
   EXPECT_EQ(c.open, 0u);
   EXPECT_EQ(c.crowded, 0u);
@@ -72,7 +72,7 @@ TEST_P(Corals, are_watertight_and_manifold) {
   Skeleton s = test_coral(5);
   Result<FusedMesh> mesh = fuse(boughs_of(s, 1), {.voxel = 0.006, .adaptivity = GetParam()});
   ASSERT_TRUE(mesh);
-  EXPECT_EQ(mesh->surface.check(), "");
+  EXPECT_EQ(mesh->surface.find_fault(), "");
   Closure c = measure(mesh->surface);
   EXPECT_EQ(c.open, 0u);
   EXPECT_EQ(c.crowded, 0u) << "of " << mesh->surface.triangle.size() << " triangles";

@@ -69,8 +69,8 @@ TEST_F(FilmFilesTest, AFrameHasTheLightOfItsHour) {
 
 TEST_F(FilmFilesTest, ExposuresShareTheLightOfTheirFrame) {
   Scene scene = scene_at("tests/presets/tiny_film.json");
-  scene.stage.camera.shutter = 0.5;
-  scene.stage.camera.shutter_samples = 2;
+  scene.setup.camera.shutter = 0.5;
+  scene.setup.camera.shutter_samples = 2;
   FrameParts parts = prepare_frames(scene);
   ASSERT_TRUE(write_light(scene, parts, folder_).empty());
   std::string layout = *read_file(FROND_ROOT "/templates/frame.pov");

@@ -57,7 +57,8 @@ TEST_F(GrowingCopies, AreNotThereBeforeTheyGrowAndAreTheirModelsWhenTheyHave) {
 
 TEST_F(GrowingCopies, GrowOnWithoutAJump) {
   auto tall = [&](double time) {
-    std::optional<Model> now = grown_by(*plan_.growing.at({0, 0}), scene_.stands[0].dress.motion, time);
+    std::optional<Model> now =
+        grown_by(*plan_.growing.at({0, 0}), scene_.copy_sets[0].appearance.motion, time);
     float top = 0;
     for (const Vec3& p : now ? now->skeleton.position : std::vector<Vec3>{}) top = std::max(top, p.y);
     return top;
@@ -82,7 +83,7 @@ TEST_F(GrowingCopies, CarryTheirPoresAsTheySway) {
 
 TEST_F(GrowingCopies, OfAStillAreGrown) {
   Scene still = sown_reef(R"({"frames": 1, "size": [160, 100]})");
-  EXPECT_FALSE(copy_growth(still.stands[0].organism, still.film, 0));
+  EXPECT_FALSE(copy_growth(still.copy_sets[0].organism, still.film, 0));
 }
 
 }  // namespace

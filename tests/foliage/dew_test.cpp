@@ -18,7 +18,7 @@ TEST(Dew, DropsLieOnTheUpperSideApartFromEachOther) {
   EXPECT_GT(drops, 70u);
   EXPECT_LE(drops, 100u);
   for (const Vec3& p : dew.position) EXPECT_GT(p.z, -0.0005f / 0.05f);
-  EXPECT_TRUE(dew.check().empty()) << dew.check();
+  EXPECT_TRUE(dew.find_fault().empty()) << dew.find_fault();
   EXPECT_TRUE(dew_surface(leaf, 0.05, 0, Seed{1}).triangle.empty());
   EXPECT_EQ(dew_surface(leaf, 0.05, 4, Seed{1}).position, dew.position);
 }

@@ -31,8 +31,8 @@ TEST(FoliageShapes, FrondHasItsMeasures) {
   FrondShape shape;
   shape.bend = 0, shape.droop = 0;
   TwigParts flat = frond_foliage(shape, Seed{1});
-  EXPECT_EQ(flat.blades.check(), "");
-  EXPECT_EQ(flat.stem.check(), "");
+  EXPECT_EQ(flat.blades.find_fault(), "");
+  EXPECT_EQ(flat.stem.find_fault(), "");
   EXPECT_EQ(flat.blades.uv.size(), flat.blades.position.size());
   Box box = box_of(flat.blades);
   EXPECT_NEAR(box.high.x - box.low.x, shape.width, 0.15);
@@ -55,7 +55,7 @@ TEST(FoliageShapes, FrondBendsDownAndDroops) {
 TEST(FoliageShapes, FernHasLobedLeafletsAndEndsInAPoint) {
   FrondShape shape{.pairs = 20, .bend = 0, .droop = 0, .lobes = 8};
   TwigParts fern = frond_foliage(shape, Seed{1});
-  EXPECT_EQ(fern.blades.check(), "");
+  EXPECT_EQ(fern.blades.find_fault(), "");
   EXPECT_GE(fern.blades.triangle.size(), 2u * 20 * 8 * 4);
   EXPECT_LT(fern.blades.triangle.size(), 2u * 20 * 8 * 4 + 20);
   EXPECT_GT(upward(fern.blades), 0.85);
@@ -75,7 +75,7 @@ TEST(FoliageShapes, LeavesOfLessDetailHaveTheSameOutline) {
   for (int detail : {1, 2, 3}) {
     shape.detail = detail;
     Surface blade = blade_surface(shape);
-    EXPECT_EQ(blade.check(), "");
+    EXPECT_EQ(blade.find_fault(), "");
     triangles[detail] = blade.triangle.size();
     Box box = box_of(blade);
     EXPECT_NEAR(box.high.y, fine.high.y, 1e-5);
@@ -89,8 +89,8 @@ TEST(FoliageShapes, LeavesOfLessDetailHaveTheSameOutline) {
 TEST(FoliageShapes, SprigHasItsLeaves) {
   TwigShape shape;
   TwigParts sprig = sprig_foliage(shape, Seed{2});
-  EXPECT_EQ(sprig.blades.check(), "");
-  EXPECT_EQ(sprig.stem.check(), "");
+  EXPECT_EQ(sprig.blades.find_fault(), "");
+  EXPECT_EQ(sprig.stem.find_fault(), "");
   EXPECT_EQ(sprig.blades.triangle.size(), blade_surface(shape.leaf).triangle.size() * 9);
   EXPECT_NEAR(box_of(sprig.blades).high.y, 1.0, 0.2);
   EXPECT_GT(upward(sprig.blades), 0.8);

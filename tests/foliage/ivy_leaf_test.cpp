@@ -35,7 +35,7 @@ TEST(IvyLeaf, IsAMeshThatFacesUpAtAnyDetail) {
       shape.form = static_cast<IvyForm>(form);
       shape.detail = detail;
       Surface leaf = ivy_leaf_surface(shape);
-      EXPECT_EQ(leaf.check(), "");
+      EXPECT_EQ(leaf.find_fault(), "");
       EXPECT_GT(leaf.triangle.size(), 2 * last);
       last = leaf.triangle.size();
       double area = 0;

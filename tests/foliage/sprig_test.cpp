@@ -12,7 +12,7 @@ TEST(Sprig, EachKindIsAMeshOfUnitLength) {
     shape.kind = kind;
     shape.leaves = 9;
     Surface s = sprig_surface(shape);
-    EXPECT_EQ(s.check(), "");
+    EXPECT_EQ(s.find_fault(), "");
     EXPECT_EQ(s.uv.size(), s.position.size());
     Vec3 low = s.position[0], high = low;
     for (const Vec3& p : s.position) low = glm::min(low, p), high = glm::max(high, p);

@@ -23,7 +23,7 @@ Skeleton tree() {
 
 TEST(Thinned, KeepsWithinItsTolerance) {
   Skeleton s = tree(), far = thinned(s, 0, 0.01f);
-  EXPECT_EQ(far.check(), "");
+  EXPECT_EQ(far.find_fault(), "");
   EXPECT_LT(far.size(), s.size() / 2);
   // Each node that is gone lies near a segment that is left.
   for (const Vec3& p : s.position) {
@@ -55,7 +55,7 @@ TEST(Diamonds, KeepAreaAndLengthOfEachLeaf) {
     Surface sprig = sprig_surface(shape);
     Pieces pieces = pieces_of(sprig);
     Surface far = far_leaves(sprig, pieces);
-    EXPECT_EQ(far.check(), "");
+    EXPECT_EQ(far.find_fault(), "");
     EXPECT_GE(pieces.count, static_cast<std::uint32_t>(shape.leaves));
     EXPECT_EQ(far.triangle.size(), 2 * pieces.count);
     EXPECT_NEAR(area(far), area(sprig), 0.05 * area(sprig));

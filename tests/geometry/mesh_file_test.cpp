@@ -34,7 +34,7 @@ Surface surface_of(const PolygonMesh& mesh) {
   Result<PartedSurface> made = parted_surface(mesh, {}, "body");
   EXPECT_TRUE(made.ok()) << (made ? "" : made.errors()[0].text());
   if (!made) return {};
-  EXPECT_EQ(made->surface.check(), "");
+  EXPECT_EQ(made->surface.find_fault(), "");
   return std::move(made->surface);
 }
 

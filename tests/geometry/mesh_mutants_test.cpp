@@ -142,7 +142,7 @@ bool holds_together(const std::string& bytes) {
   (void)mesh->names();
   Result<PartedSurface> made = parted_surface(*mesh, unit_frame(*mesh), "damaged");
   if (!made) return false;
-  EXPECT_EQ(made->surface.check(), "");
+  EXPECT_EQ(made->surface.find_fault(), "");
   for (const auto& paint : made->surface.paint) EXPECT_TRUE(std::ranges::all_of(paint, is_paint));
   return true;
 }

@@ -15,7 +15,7 @@ TEST(ReadObj, TakesQuadsNegativeIndicesAndSeveralObjects) {
       "o b\nv 0 0 1\nv 1 0 1\nv 0 1 1\nf -3 -2 -1\n");
   ASSERT_TRUE(mesh.ok());
   EXPECT_EQ(mesh->triangle.size(), 3u);
-  EXPECT_EQ(mesh->check(), "");
+  EXPECT_EQ(mesh->find_fault(), "");
   for (const Vec3& n : mesh->normal) EXPECT_NEAR(n.z, 1, 1e-5);
 }
 
@@ -29,7 +29,7 @@ TEST(ReadObj, TakesTextureCoordinatesAndColorsAsPaint) {
   const std::string faces = "f 1/1 2/2 3/3\n", texture = "vt 0 0\nvt 1 0\nvt 0.25 1\n";
   Result<Surface> mesh = read_obj("v 0 0 0 0 0 0\nv 1 0 0 1 1 1\nv 0 1 0 0 1 0\n" + texture + faces);
   ASSERT_TRUE(mesh.ok());
-  EXPECT_EQ(mesh->check(), "");
+  EXPECT_EQ(mesh->find_fault(), "");
   ASSERT_EQ(mesh->paint.size(), 1u);
   EXPECT_EQ(Vec2(mesh->paint[0][2]), Vec2(0.25f, 1));
   EXPECT_NEAR(mesh->paint[0][1].z, 1, 1e-5);

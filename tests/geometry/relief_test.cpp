@@ -23,7 +23,7 @@ Surface cut_trunk(double depth, float upto) {
 
 TEST(Relief, IsLetInToItsDepthAndNoDeeper) {
   Surface s = cut_trunk(0.02, 1);
-  EXPECT_EQ(s.check(), "");
+  EXPECT_EQ(s.find_fault(), "");
   ASSERT_EQ(s.uv.size(), s.position.size());
   float least = 1;
   for (std::size_t i = 0; i < s.position.size(); ++i) {

@@ -12,7 +12,7 @@ namespace {
 TEST(Smooth, KeepsTheNodesAndAddsBetween) {
   Skeleton coarse = candelabrum(6, Seed{1});
   Skeleton fine = smooth(coarse, 4);
-  EXPECT_EQ(fine.check(), "");
+  EXPECT_EQ(fine.find_fault(), "");
   EXPECT_EQ(fine.size(), 1 + (coarse.size() - 1) * 4);
   for (std::size_t i = 1; i < coarse.size(); ++i)
     EXPECT_EQ(fine.position[1 + (i - 1) * 4 + 3], coarse.position[i]) << i;

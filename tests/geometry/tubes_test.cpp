@@ -14,7 +14,7 @@ namespace {
 TEST(Tubes, GoRoundTheirBranches) {
   Skeleton s = candelabrum(5, Seed{2});
   Surface tubes = tube_surface(s, {});
-  EXPECT_EQ(tubes.check(), "");
+  EXPECT_EQ(tubes.find_fault(), "");
   ASSERT_EQ(tubes.uv.size(), tubes.position.size());
   for (std::size_t i = 0; i < tubes.position.size(); ++i) {
     float nearest = 1e9f;
@@ -89,7 +89,7 @@ TEST(Tubes, AreCoarserWhereAGrainHidesIt) {
   Surface whole = tube_surface(s, shape);
   shape.grain = 0.04;
   Surface less = tube_surface(s, shape);
-  EXPECT_EQ(less.check(), "");
+  EXPECT_EQ(less.find_fault(), "");
   EXPECT_LT(less.triangle.size(), whole.triangle.size() / 4);
   EXPECT_NEAR(area(less), area(whole), 0.08 * area(whole));
   auto highest = [](const Surface& tube) {
@@ -139,7 +139,7 @@ TEST(Tubes, MoveWithAPose) {
   for (Vec3 p : s.position) position.push_back(turn * p);
   std::vector<Quat> turns(s.size(), turn);
   Surface rest = tube_surface(s, {}), moved = tube_surface(s, position, s.radius, turns, {});
-  ASSERT_EQ(moved.check(), "");
+  ASSERT_EQ(moved.find_fault(), "");
   ASSERT_EQ(moved.position.size(), rest.position.size());
   EXPECT_EQ(moved.uv, rest.uv);  // the picture stays where it is on the skin
   for (std::size_t i = 0; i < rest.position.size(); ++i) {
@@ -175,7 +175,7 @@ std::pair<int, double> open_edges(const Surface& s) {
 TEST(ClosedTubes, AreClosedAndFaceOutward) {
   Skeleton s = candelabrum(5, Seed{3});
   TubeMesh mesh = closed(s);
-  EXPECT_EQ(mesh.surface.check(), "");
+  EXPECT_EQ(mesh.surface.find_fault(), "");
   EXPECT_EQ(mesh.node.size(), mesh.surface.position.size());
   auto [open, volume] = open_edges(mesh.surface);
   EXPECT_EQ(open, 0);

@@ -57,7 +57,7 @@ TEST(Between, FigureHasASoundSkeleton) {
   Grammar grammar = std::move(*compile(text));
   Result<Figure> figure = figure_of(grammar, 2.25, Seed{1});
   ASSERT_TRUE(figure.ok());
-  EXPECT_EQ(figure->skeleton.check(), "");
+  EXPECT_EQ(figure->skeleton.find_fault(), "");
   EXPECT_LT(figure->sites.back().scale.x, 1);
   EXPECT_FALSE(figure_of(grammar, -1, Seed{1}).ok());
 }

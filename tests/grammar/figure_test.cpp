@@ -11,7 +11,7 @@ namespace {
 TEST(Figure, BranchesBecomeChains) {
   Grammar grammar = grammar_for("FF[+FF]F[-F]F");
   Skeleton s = *skeleton_of(grammar, grammar.axiom, Seed{1});
-  EXPECT_EQ(s.check(), "");
+  EXPECT_EQ(s.find_fault(), "");
   EXPECT_EQ(s.parent, (std::vector<std::int32_t>{-1, 0, 1, 2, 3, 2, 5, 5}));
   EXPECT_EQ(s.order, (std::vector<std::uint16_t>{0, 0, 0, 1, 1, 0, 1, 0}));
   EXPECT_FLOAT_EQ(s.radius[3], 0.05f);
@@ -21,7 +21,7 @@ TEST(Figure, BranchesBecomeChains) {
 TEST(Figure, MovesStartNewRootsAndEmptySegmentsAreLeftOut) {
   Grammar grammar = grammar_for("F(0)FfF(1,0)[F(0)]");
   Skeleton s = *skeleton_of(grammar, grammar.axiom, Seed{1});
-  EXPECT_EQ(s.check(), "");
+  EXPECT_EQ(s.find_fault(), "");
   EXPECT_EQ(s.parent, (std::vector<std::int32_t>{-1, 0, -1, 2}));
 }
 

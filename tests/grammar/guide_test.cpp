@@ -165,7 +165,7 @@ TEST(Guide, TurtlesThatForkWithinABranchEndWithIt) {
   EXPECT_EQ(stats.segments, 1u + 2 * 2 + 1);
   ASSERT_EQ(stats.end_positions.size(), 1u);
   EXPECT_LT(glm::distance(stats.end_positions[0], DVec3(0, 1, 0)), 1e-12);
-  EXPECT_EQ(figure_of(grammar, grammar.axiom, Seed{1}).skeleton.check(), "");
+  EXPECT_EQ(figure_of(grammar, grammar.axiom, Seed{1}).skeleton.find_fault(), "");
 }
 
 TEST(Guide, PointsSetWhatTheTurtleDrawsWith) {

@@ -65,7 +65,7 @@ TEST(Presets, AllGrammarsDraw) {
     EXPECT_TRUE(grammar->warnings.empty()) << grammar->warnings[0].text();
     Result<Figure> figure = figure_of(*grammar, grammar->text.steps, Seed{1});
     ASSERT_TRUE(figure.ok()) << figure.errors()[0].text();
-    EXPECT_EQ(figure->skeleton.check(), "");
+    EXPECT_EQ(figure->skeleton.find_fault(), "");
     EXPECT_EQ(figure->color.size(), figure->skeleton.size());
     bool draws = figure->skeleton.size() > 0 || !figure->outlines.empty();
     EXPECT_EQ(draws, entry.path().stem() != "algae" && entry.path().stem() != "cells");

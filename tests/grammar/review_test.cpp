@@ -40,7 +40,8 @@ TEST(Review, LimitsThatWouldNotBeHeededAreRefused) {
   EXPECT_NE(refused({{"F -> XX", 3}}).find("has no limit of its own"), std::string::npos);
 }
 
-Errors idle(const std::string& axiom, const Rules& rules, const std::vector<std::string>& organs = {}) {
+Errors warnings_of(const std::string& axiom, const Rules& rules,
+                   const std::vector<std::string>& organs = {}) {
   GrammarText text;
   text.axiom = axiom;
   text.rules = rules;
@@ -50,17 +51,17 @@ Errors idle(const std::string& axiom, const Rules& rules, const std::vector<std:
 }
 
 TEST(Review, SymbolsThatNothingKnowsAreToldWithRuleAndColumn) {
-  Errors warnings = idle("A", {{"A -> F[+X]A"}});
+  Errors warnings = warnings_of("A", {{"A -> F[+X]A"}});
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0].text().find("rule 1: column 9: `X` does nothing"), 0u) << warnings[0].text();
 }
 
 TEST(Review, SymbolsThatSomebodyLooksForAreNoSlip) {
-  EXPECT_TRUE(idle("FX", {{"X < F -> FF"}}).empty());  // only a context
-  EXPECT_TRUE(idle("A", {{"A -> F~K"}}).empty());
-  EXPECT_TRUE(idle("A", {{"A -> F[K]"}}, {"K"}).empty());
-  EXPECT_TRUE(idle("FX", {{"F -> FF"}}).empty());  // the axiom marks a place
-  EXPECT_TRUE(idle("AX", {{"A -> AB"}}).empty());  // nothing is drawn: a word alone
+  EXPECT_TRUE(warnings_of("FX", {{"X < F -> FF"}}).empty());  // only a context
+  EXPECT_TRUE(warnings_of("A", {{"A -> F~K"}}).empty());
+  EXPECT_TRUE(warnings_of("A", {{"A -> F[K]"}}, {"K"}).empty());
+  EXPECT_TRUE(warnings_of("FX", {{"F -> FF"}}).empty());  // the axiom marks a place
+  EXPECT_TRUE(warnings_of("AX", {{"A -> AB"}}).empty());  // nothing is drawn: a word alone
 }
 
 TEST(Review, KnownGrammarsRaiseNoFalseAlarm) {

@@ -38,7 +38,7 @@ TEST(Leaf, TheMeshCoversWhatThePictureShows) {
       for (int x = 0; x < picture.width; ++x) opaque += picture.at(x, y, 3) / 255.0;
     double pictured = opaque / (200.0 * picture.width) * 2 * frame.half * (frame.high - frame.low);
     Surface mesh = leaf_mesh(leaf, 48, 0, 0);
-    EXPECT_EQ(mesh.check(), "") << name;
+    EXPECT_EQ(mesh.find_fault(), "") << name;
     EXPECT_NEAR(area(mesh) / pictured, 1, 0.08) << name;
   }
 }
@@ -160,7 +160,7 @@ TEST(Leaf, APalmatePictureHasVeinsToItsLobes) {
 TEST(Leaf, OneThatCurlsLeavesThePlaneAndKeepsItsArea) {
   LeafImage leaf = leaf_of("maple");
   Surface flat = leaf_mesh(leaf, 40, 0, 0), curled = leaf_mesh(leaf, 40, 0, 0, {1, 0.4});
-  EXPECT_EQ(curled.check(), "");
+  EXPECT_EQ(curled.find_fault(), "");
   EXPECT_NEAR(area(curled) / area(flat), 1, 0.2);  // it buckles
   float high = 0;
   for (Vec3 p : curled.position) high = std::max(high, p.z);

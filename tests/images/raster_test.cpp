@@ -44,7 +44,7 @@ TEST(PngRows, AStillOfSixteenThousandPixelsASideIsReadAndWrittenInBands) {
     band.data[0] = static_cast<std::uint8_t>(y / kBand);
     writer.add(band);
   }
-  Result<std::string> png = writer.take();
+  Result<std::string> png = writer.finish();
   ASSERT_TRUE(png);
   EXPECT_EQ(*png_size(*png), (std::array{kWide, kHigh}));
   EXPECT_FALSE(read_png(*png)) << "268 million pixels are not held";

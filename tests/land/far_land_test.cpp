@@ -144,7 +144,7 @@ TEST(FarMesh, IsSoundAndGrowsWithThePicture) {
   for (double width : {64.0, 160.0, 320.0}) {
     std::size_t triangles = 0;
     for (const FarPart& part : far_mesh(land, view_of(width * width * 0.6, 0.8 / width), Seed{1})) {
-      EXPECT_EQ(part.surface.check(), "");
+      EXPECT_EQ(part.surface.find_fault(), "");
       triangles += part.surface.triangle.size();
       for (auto [a, b, c] : part.surface.triangle) {
         Vec3 p = part.surface.position[a], q = part.surface.position[b], r = part.surface.position[c];
@@ -257,7 +257,7 @@ TEST(FarObjects, OfSmallPicturesAreFew) {
 TEST(FarShapes, AreSound) {
   for (int kind = 0; kind < kFarKinds; ++kind)
     for (const Surface& shape : far_shapes(static_cast<FarKind>(kind))) {
-      EXPECT_EQ(shape.check(), "");
+      EXPECT_EQ(shape.find_fault(), "");
       EXPECT_LT(shape.triangle.size(), 2000u);
       float low = 1e9f, high = -1e9f;
       for (const Vec3& p : shape.position) low = std::min(low, p.y), high = std::max(high, p.y);

@@ -12,7 +12,7 @@ namespace {
 TEST(Ground, MeshLiesOnTheHeights) {
   Ground ground{Seed{2}, 0.2, 2.5};
   Surface s = ground_surface(ground, Vec2(0), {20, 40});
-  EXPECT_EQ(s.check(), "");
+  EXPECT_EQ(s.find_fault(), "");
   for (const Vec3& p : s.position) {
     if (std::hypot(p.x, p.z) < 10) {
       EXPECT_NEAR(p.y, ground_height(ground, p.x, p.z), 1e-4);
@@ -36,7 +36,7 @@ TEST(Ground, MeshesHardlyGrowWithTheDistanceThatTheyReach) {
 TEST(Ground, MeshesReachAsFarAsTheyAreToAndAreWhole) {
   GroundDisc disc = GroundDisc{32, 20}.reaching(3000, 128);
   Surface s = ground_surface([](Vec2) { return 1.0; }, Vec2(0), disc);
-  EXPECT_EQ(s.check(), "");
+  EXPECT_EQ(s.find_fault(), "");
   double area = 0, far = 0;
   for (auto [a, b, c] : s.triangle)
     area += 0.5 * static_cast<double>(

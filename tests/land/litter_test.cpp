@@ -23,7 +23,7 @@ std::size_t pieces_between(const Surface& s, float low, float high) {
 TEST(Litter, has_as_many_leaves_and_twigs_as_asked) {
   LitterShape shape{.side = 0.5, .leaf = 0.08, .leaves = 400, .twigs = 20, .twig = 0.2};
   Surface s = litter_surface(shape, Seed{4});
-  EXPECT_EQ(s.check(), "");
+  EXPECT_EQ(s.find_fault(), "");
   EXPECT_EQ(pieces_between(s, 0, 64), 100u);
   EXPECT_EQ(pieces_between(s, 64, 128), 5u);
 }
@@ -59,7 +59,7 @@ TEST(Litter, may_be_none) {
 
 TEST(Moss, is_a_dome_of_upright_shoots) {
   Surface s = moss_surface(0.5, Seed{2});
-  EXPECT_EQ(s.check(), "");
+  EXPECT_EQ(s.find_fault(), "");
   double middle = 0, rim = 0;
   int inside = 0, outside = 0;
   for (std::size_t i = 0; i < s.position.size(); ++i) {

@@ -10,7 +10,7 @@ namespace {
 TEST(Mountain, StandsWhereItIsAskedFor) {
   MountainShape shape{.height = 800, .distance = 6000, .width = 3000, .toward = 90};
   Surface s = mountain_surface(shape, glm::normalize(Vec3(0, 1, 1)));
-  EXPECT_EQ(s.check(), "");
+  EXPECT_EQ(s.find_fault(), "");
   ASSERT_EQ(s.uv.size(), s.position.size());
   float top = 0;
   for (std::size_t i = 0; i < s.position.size(); ++i) {

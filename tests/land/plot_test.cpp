@@ -99,7 +99,7 @@ TEST(Plot, AreasMayHaveAnyOutline) {
 TEST(Plot, LiliesFloatOnTheirPondApartFromEachOther) {
   Plot p = plot();
   Solids lilies = water_lilies(p, 50, Seed{1});
-  EXPECT_EQ(lilies.check(), "");
+  EXPECT_EQ(lilies.find_fault(), "");
   std::size_t pads = 0;
   for (std::size_t i = 0; i < lilies.size(); ++i) {
     Vec2 at(lilies.position[i].x, lilies.position[i].z);
@@ -118,7 +118,7 @@ TEST(Plot, LiliesFloatOnTheirPondApartFromEachOther) {
 
 TEST(Gravel, CoversItsSquare) {
   Surface gravel = gravel_surface(0.5, 0.05, Seed{2});
-  EXPECT_EQ(gravel.check(), "");
+  EXPECT_EQ(gravel.find_fault(), "");
   std::array<bool, 100> covered{};
   for (Vec3 p : gravel.position) {
     int column = static_cast<int>(std::floor((p.x + 0.25f) * 20)),

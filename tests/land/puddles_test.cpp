@@ -56,7 +56,7 @@ TEST(Puddles, AreLevelAndGrowWithTheirDepth) {
   std::size_t last = 0;
   for (double depth : {0.005, 0.02, 0.05, 0.2}) {
     Surface water = puddles(grid, priority_flood(grid).level, depth);
-    EXPECT_EQ(water.check(), "");
+    EXPECT_EQ(water.find_fault(), "");
     EXPECT_GT(water.triangle.size(), last);
     last = water.triangle.size();
     for (const Vec3& p : water.position) EXPECT_NEAR(p.y, std::min(depth, 0.099), 1e-5);

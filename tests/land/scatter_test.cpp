@@ -10,7 +10,7 @@ namespace {
 
 TEST(Scatter, KeepsItsDistances) {
   TakenSpots taken;
-  taken.take({Vec2(0, 0), 0.5f});
+  taken.add({Vec2(0, 0), 0.5f});
   std::vector<Spot> spots = scatter(Vec2(0), 0, 3, 0.3f, 40, taken, Seed{9});
   EXPECT_GT(spots.size(), 25u);
   for (std::size_t i = 0; i < spots.size(); ++i) {
@@ -34,7 +34,7 @@ TEST(Scatter, FindsWhatIsTakenAsALookAtEachWould) {
     });
     ASSERT_EQ(taken.free(spot.at, spot.radius), free) << i;
     if (!free && i % 2) continue;
-    taken.take(spot);
+    taken.add(spot);
     all.push_back(spot);
   }
 }

@@ -35,7 +35,7 @@ Surface block(Vec3 half) {
 
 TEST(CoverGrid, SheltersWhatFallsPastABody) {
   CoverGrid bodies({0, 0}, 10, 0.1f);
-  bodies.take(plate({-1, 2, -1}, {0, 0, 2}, {2, 0, 0}));
+  bodies.add(plate({-1, 2, -1}, {0, 0, 2}, {2, 0, 0}));
   EXPECT_TRUE(bodies.shelters({0, 1, 0}, {0, -1, 0}));
   EXPECT_FALSE(bodies.shelters({0, 2.1f, 0}, {0, -1, 0})) << "above it";
   EXPECT_FALSE(bodies.shelters({1.5f, 1, 0}, {0, -1, 0})) << "beside it";
@@ -108,7 +108,7 @@ TEST(Snow, NoneComesUnderARoofAndAllToTheOpen) {
   CoverGrid bodies(Vec2(0), 20, 0.08f);
   Surface roof = block({3, 0.05f, 3});
   for (Vec3& p : roof.position) p.y += 1.5f;
-  bodies.take(roof);
+  bodies.add(roof);
   EXPECT_EQ(bodies.openness({0, 0, 0}), 0);
   EXPECT_EQ(bodies.openness({0, 1.6f, 0}), 1);
   EXPECT_EQ(bodies.openness({9, 0, 0}), 1);
@@ -157,7 +157,7 @@ TEST(Snow, DriftsIntoTheLee) {
   SnowLand land = level_land();
   land.trunks.clear();
   CoverGrid wall(Vec2(0), 20, 0.1f);
-  wall.take(block({0.15f, 0.5f, 3}));
+  wall.add(block({0.15f, 0.5f, 3}));
   SnowSheet calm = snow_on_ground(land, wall, {}, Seed{1}),
             windy = snow_on_ground(land, wall, {Vec2(1, 0), 1}, Seed{1});
   auto mean = [&](const SnowSheet& snow, float from, float to) {

@@ -54,8 +54,8 @@ TEST(Stream, CutsABedWithoutSteps) {
     last = height;
   }
   EXPECT_EQ(stream.height({-30, 30}, 7), 7);
-  EXPECT_TRUE(stream.bed().check().empty()) << stream.bed().check();
-  EXPECT_TRUE(stream.water().check().empty()) << stream.water().check();
+  EXPECT_TRUE(stream.bed().find_fault().empty()) << stream.bed().find_fault();
+  EXPECT_TRUE(stream.water().find_fault().empty()) << stream.water().find_fault();
   for (const Vec3& n : stream.water().normal) EXPECT_GT(n.y, 0.9f);
   EXPECT_FALSE(StreamCourse({.width = 0}, kSide, slope, Seed{1}).flows());
 }

@@ -23,7 +23,7 @@ Vec2 somewhere(int i, double half) {
 TEST(Terrain, IsTheMeshThatIsDrawn) {
   Terrain land(shape_of(0.6), Seed{1});
   Surface mesh = land.surface();
-  ASSERT_EQ(mesh.check(), "");
+  ASSERT_EQ(mesh.find_fault(), "");
   EXPECT_LT(mesh.position.size(), 310u * 310u);
   for (std::size_t i = 0; i < mesh.position.size(); i += 31) {
     const Vec3& p = mesh.position[i];
@@ -134,7 +134,7 @@ TEST(Terrain, TakesOddShapes) {
                              TerrainShape{4000, 500, 5000, 0, 1, {{Vec2(-3000, 0), Vec2(3000, 10)}, 20}},
                              TerrainShape{50, 5, 20, 0.5, 0.3, {{Vec2(3, 3), Vec2(3, 3)}, 1}}}) {
     Terrain land(shape, Seed{4});
-    EXPECT_EQ(land.surface().check(), "");
+    EXPECT_EQ(land.surface().find_fault(), "");
     EXPECT_GE(land.reach(), std::max(1199.0, shape.size));
     for (int i = 0; i < 500; ++i) {
       Vec2 at = somewhere(i, land.reach());

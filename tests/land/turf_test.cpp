@@ -23,7 +23,7 @@ TEST(Turf, EachKindIsASoundMeshOfItsOwn) {
         MeadowPlant::clover, MeadowPlant::daisy, MeadowPlant::buttercup, MeadowPlant::plantain}) {
     Turf turf = turf_surface(only(kind), Seed{3});
     bool grass = kind == MeadowPlant::grass || kind == MeadowPlant::fescue || kind == MeadowPlant::cocksfoot;
-    for (const Surface* part : {&turf.blades, &turf.leaves, &turf.flowers}) EXPECT_EQ(part->check(), "");
+    for (const Surface* part : {&turf.blades, &turf.leaves, &turf.flowers}) EXPECT_EQ(part->find_fault(), "");
     EXPECT_FALSE(turf.blades.triangle.empty());
     EXPECT_EQ(turf.leaves.triangle.empty(), grass || kind == MeadowPlant::panicle);
     EXPECT_EQ(turf.flowers.triangle.empty(), grass || kind == MeadowPlant::clover);

@@ -45,7 +45,7 @@ TEST(Bridge, EachPieceIsAClosedBodyTurnedOutward) {
     Bridge bridge = build_bridge(shape, Seed{3});
     EXPECT_GT(bridge.pieces.size(), 60u);
     for (const BridgePiece& piece : bridge.pieces) {
-      ASSERT_EQ(piece.surface.check(), "");
+      ASSERT_EQ(piece.surface.find_fault(), "");
       Solidity solid = solidity(piece.surface);
       ASSERT_EQ(solid.open, 0u) << static_cast<int>(piece.part) << " height " << shape.height;
       ASSERT_EQ(solid.euler, 2) << static_cast<int>(piece.part);
@@ -219,7 +219,7 @@ TEST(Arch, WaysAreLengthsAndHeightsLieOnIt) {
 TEST(Block, IsARoundedBox) {
   Block block{Vec3(2, 1, 0.5f), 0.1f, {3, 2, 1}};
   Surface s = block_surface(block);
-  EXPECT_EQ(s.check(), "");
+  EXPECT_EQ(s.find_fault(), "");
   EXPECT_EQ(solidity(s).open, 0u);
   EXPECT_EQ(solidity(s).euler, 2);
   EXPECT_LT(volume(s), 1.0);

@@ -11,7 +11,7 @@ namespace {
 
 Bounds placed_bounds(const TrellisPart& part) {
   Bounds box;
-  for (Vec3 p : part.surface.position) box.take(part.at + part.turn * p);
+  for (Vec3 p : part.surface.position) box.extend(part.at + part.turn * p);
   return box;
 }
 

@@ -55,7 +55,7 @@ TEST(Vessel, IsAClosedBodyTurnedOutward) {
     ASSERT_TRUE(profile) << profile.errors()[0].text();
     for (int sides : {3, 24}) {
       Surface s = vessel_surface(*profile, sides);
-      ASSERT_EQ(s.check(), "");
+      ASSERT_EQ(s.find_fault(), "");
       EXPECT_EQ(solidity(s).open, 0u) << shape.profile.size();
       EXPECT_EQ(solidity(s).euler, 2) << shape.profile.size();
     }
@@ -204,7 +204,7 @@ TEST(Vessel, SoilFillsItToTheHeightAsked) {
     VesselProfile profile = *vessel_profile(shape);
     for (double share : {0.3, 0.85}) {
       Soil soil = vessel_soil(profile, share, 48, Seed{2});
-      ASSERT_EQ(soil.surface.check(), "");
+      ASSERT_EQ(soil.surface.find_fault(), "");
       EXPECT_EQ(solidity(soil.surface).open, 0u) << shape.profile.size() << ' ' << share;
       EXPECT_EQ(solidity(soil.surface).euler, 2);
       EXPECT_GT(volume(soil.surface), 0);

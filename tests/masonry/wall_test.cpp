@@ -23,7 +23,7 @@ TEST(Wall, HasAClosedHullOfTheRightVolume) {
   WallShape plain;
   plain.coping = false;
   Wall wall = build_wall(plain, Seed{1});
-  EXPECT_EQ(wall.hull.check(), "");
+  EXPECT_EQ(wall.hull.find_fault(), "");
   EXPECT_TRUE(closed(wall.hull));
   double courses = std::round(plain.height / 0.075);
   EXPECT_NEAR(volume(wall.hull), plain.width * courses * 0.075 * plain.thickness, 1e-3);
@@ -92,15 +92,15 @@ TEST(Wall, TakesOpeningsThatDoNotFit) {
   shape.openings = {
       {WallHole::window, 9, 0, 1, 1}, {WallHole::door, 0, 0, 40, 40}, {WallHole::gap, -1.9, 2.4, 0.5, 3}};
   Wall wall = build_wall(shape, Seed{1});
-  EXPECT_EQ(wall.hull.check(), "");
+  EXPECT_EQ(wall.hull.find_fault(), "");
   shape.width = 0.1, shape.height = 0.05, shape.thickness = 0.05;
-  EXPECT_EQ(build_wall(shape, Seed{1}).mortar.check(), "");
+  EXPECT_EQ(build_wall(shape, Seed{1}).mortar.find_fault(), "");
 }
 
 TEST(WornBlock, IsClosedAndFillsItsBox) {
   for (double wear : {0.0, 1.0}) {
     Surface block = worn_block(Vec3(0.23f, 0.065f, 0.115f), wear, Seed{2});
-    EXPECT_EQ(block.check(), "");
+    EXPECT_EQ(block.find_fault(), "");
     EXPECT_TRUE(closed(block));
     EXPECT_GT(volume(block), wear > 0 ? 0.85 : 0.95);
     EXPECT_LT(volume(block), 1.05);
@@ -110,7 +110,7 @@ TEST(WornBlock, IsClosedAndFillsItsBox) {
 TEST(Column, IsClosedAndTapers) {
   ColumnShape shape;
   Surface column = column_surface(shape);
-  EXPECT_EQ(column.check(), "");
+  EXPECT_EQ(column.find_fault(), "");
   EXPECT_TRUE(closed(column));
   float top = 0;
   for (const Vec3& p : column.position) top = std::max(top, p.y);
@@ -137,7 +137,7 @@ TEST(Creased, PartsSharpEdgesOnly) {
   shape.coping = false;
   shape.width = shape.height = 0.5;
   Surface hull = build_wall(shape, Seed{1}).hull, sharp = creased(hull, 0.6);
-  EXPECT_EQ(sharp.check(), "");
+  EXPECT_EQ(sharp.find_fault(), "");
   EXPECT_EQ(sharp.triangle.size(), hull.triangle.size());
   for (const Vec3& n : sharp.normal)
     EXPECT_NEAR(std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)}), 1, 1e-4);

@@ -19,19 +19,19 @@ TEST(Skeleton, MeasuresAlongTheBranches) {
   set_births(s);
   EXPECT_FLOAT_EQ(s.birth[1], 0.5f);
   EXPECT_FLOAT_EQ(s.birth[2], 1);
-  EXPECT_EQ(s.check(), "");
+  EXPECT_EQ(s.find_fault(), "");
 }
 
 TEST(Skeleton, ChecksItself) {
   Skeleton s = trunk(4);
   s.radius[2] = 0;
-  EXPECT_EQ(s.check(), "node 2 has radius 0");
+  EXPECT_EQ(s.find_fault(), "node 2 has radius 0");
   s = trunk(4);
   s.parent[1] = 3;
-  EXPECT_EQ(s.check(), "node 1 has parent 3, which does not precede it");
+  EXPECT_EQ(s.find_fault(), "node 1 has parent 3, which does not precede it");
   s = trunk(4);
   s.birth[3] = 0.1f;
-  EXPECT_EQ(s.check(), "node 3 is born before its parent 2");
+  EXPECT_EQ(s.find_fault(), "node 3 is born before its parent 2");
 }
 
 }  // namespace

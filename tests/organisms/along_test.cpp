@@ -29,7 +29,7 @@ std::vector<float> reaches(const Model& m) {
 }
 
 void expect_half(const Model& whole, const Model& half) {
-  EXPECT_EQ(half.check(), "");
+  EXPECT_EQ(half.find_fault(), "");
   const std::vector<float> a = reaches(whole), b = reaches(half);
   ASSERT_GT(a.size(), 50u);
   ASSERT_EQ(a.size(), b.size());

@@ -14,7 +14,7 @@ TEST(BridgeModel, WoodenPiecesHaveTimberOfTheirOwn) {
   BridgeParams params;
   params.shape.crown = 0.25;
   Model model = grow_bridge(params, Seed{4});
-  EXPECT_EQ(model.check(), "");
+  EXPECT_EQ(model.find_fault(), "");
   EXPECT_GT(model.solids.size(), 150u);
   EXPECT_EQ(model.skeleton.size(), 0u);
   std::vector<float> reds;
@@ -48,7 +48,7 @@ TEST(BridgeModel, StonesOfOneToneAreOneBody) {
   params.shape.style = BridgeStyle::stone;
   params.shape.crown = 0.25, params.shape.thickness = 0.42;
   Model model = grow_bridge(params, Seed{4});
-  EXPECT_EQ(model.check(), "");
+  EXPECT_EQ(model.find_fault(), "");
   EXPECT_LE(model.solids.shapes.size(), 8u);
   std::size_t mortar = 0;
   for (const Solid& solid : model.solids.shapes) {

@@ -31,7 +31,7 @@ TEST(Coral, GrowsByBothGrammars) {
     CoralParams params = plain();
     params.form = form;
     Skeleton s = grown(params);
-    EXPECT_EQ(s.check(), "");
+    EXPECT_EQ(s.find_fault(), "");
     EXPECT_EQ(s.size(), 3u + 3 * (3 + 9 + 27));  // and a root for each of the first three
     EXPECT_NEAR(s.longest(), 3 * 3 * params.internode, 1e-5);
   }

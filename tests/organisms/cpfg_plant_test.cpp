@@ -34,8 +34,8 @@ class CpfgPlant : public testing::Test {
     NamedFile named{folder_ / "m.l", std::string(std::istreambuf_iterator<char>(file), {})};
     Errors errors = load_cpfg(named, params.grammar);
     EXPECT_TRUE(errors.empty()) << errors[0].what;
-    take_colors(params);
-    take_surfaces(params);
+    use_model_colors(params);
+    use_model_surfaces(params);
     params.smoothing = 1;
     params.height = 0.6;
     return params;
@@ -43,7 +43,7 @@ class CpfgPlant : public testing::Test {
   static Model grown(const PlantParams& params, double share = 1) {
     Result<Model> model = grow_plant(params, Seed{7}, share);
     EXPECT_TRUE(model.ok()) << (model ? "" : model.errors()[0].text());
-    EXPECT_EQ(model->check(), "");
+    EXPECT_EQ(model->find_fault(), "");
     return *model;
   }
 
@@ -103,7 +103,7 @@ TEST_F(CpfgPlant, OrgansOfThePresetStandAtItsSurfaces) {
   PlantParams params = plant();
   params.organs.clear();
   params.organs.emplace_back().symbol = "l";
-  take_surfaces(params);
+  use_model_surfaces(params);
   ASSERT_EQ(params.organs.size(), 1U);
   EXPECT_EQ(params.organs[0].shape, OrganShape::leaf);
   EXPECT_TRUE(cpfg_faults(params).empty());

@@ -19,7 +19,7 @@ WeberPennParams aspen() {
   p.tree.leaves = 9;
   p.tree.leaf_scale = 0.1;
   p.tree.leaf_scale_x = 0.8;
-  p.dress.leaves.size_variation = 0;
+  p.appearance.leaves.size_variation = 0;
   return p;
 }
 
@@ -27,7 +27,7 @@ TEST(CrownTree, WeberPennLeavesAreAsLargeAsTheirParametersSay) {
   WeberPennParams p = aspen();
   Result<Model> model = grow_weber_penn_tree(p, Seed{1});
   ASSERT_TRUE(model.ok());
-  EXPECT_EQ(model->check(), "");
+  EXPECT_EQ(model->find_fault(), "");
   ASSERT_GT(model->organs.size(), 50u);
   const Surface& leaf = model->prototypes[0].parts[0].surface;
   float wide = 0, high = 0;
@@ -49,7 +49,7 @@ TEST(CrownTree, ColonizedTreesFillTheirEnvelopeAndCarryWhatTheyBear) {
   p.thickness.least = 0.00001;
   Result<Model> model = grow_colonized_tree(p, Seed{4});
   ASSERT_TRUE(model.ok());
-  EXPECT_EQ(model->check(), "");
+  EXPECT_EQ(model->find_fault(), "");
   const Skeleton& s = model->skeleton;
   for (Vec3 at : s.position)
     EXPECT_LT(glm::length((at - Vec3(0, 3.2f, 0)) / Vec3(1.8f, 2, 1.8f)), at.y > 1.4f ? 1.2f : 9.0f);
@@ -79,12 +79,12 @@ TEST(CrownTree, AnEnvelopeWithoutItsShapeIsRefused) {
 
 TEST(CrownTree, PicturesAreNamedByWhatIsInThem) {
   WeberPennParams p = aspen();
-  p.dress.leaves.pixels = 32;
-  p.dress.coat.emplace();
-  p.dress.coat->pixels = 32;
-  auto pictures = [](const TreeDress& dress) -> Result<std::vector<Picture>> {
+  p.appearance.leaves.pixels = 32;
+  p.appearance.coat.emplace();
+  p.appearance.coat->pixels = 32;
+  auto pictures = [](const TreeAppearance& appearance) -> Result<std::vector<Picture>> {
     std::vector<Picture> all;
-    for (const Drawing& drawing : drawings(dress_of(dress, true).look)) {
+    for (const Drawing& drawing : drawings(tree_appearance(appearance, true).look)) {
       Result<std::vector<Picture>> drawn = drawing.draw();
       if (!drawn) return drawn;
       EXPECT_EQ(drawn->size(), drawing.names.size());
@@ -93,17 +93,17 @@ TEST(CrownTree, PicturesAreNamedByWhatIsInThem) {
     }
     return all;
   };
-  Result<std::vector<Picture>> first = pictures(p.dress);
+  Result<std::vector<Picture>> first = pictures(p.appearance);
   ASSERT_TRUE(first.ok());
-  ASSERT_EQ(first->size(), p.dress.leaves.colors.size() + 2);
+  ASSERT_EQ(first->size(), p.appearance.leaves.colors.size() + 2);
   // A frame names just those.
-  EXPECT_EQ(leaf_prototype(p.dress.leaves).parts[0].pictures[1], (*first)[1].name);
-  EXPECT_EQ(bark_color_name(*p.dress.coat), (*first)[3].name);
-  Result<std::vector<Picture>> again = pictures(p.dress);
+  EXPECT_EQ(leaf_prototype(p.appearance.leaves).parts[0].pictures[1], (*first)[1].name);
+  EXPECT_EQ(bark_color_name(*p.appearance.coat), (*first)[3].name);
+  Result<std::vector<Picture>> again = pictures(p.appearance);
   EXPECT_EQ((*again)[0].bytes, (*first)[0].bytes);
-  p.dress.leaves.shape = LeafShape::oak;
-  p.dress.coat->image.ridges += 1;
-  Result<std::vector<Picture>> other = pictures(p.dress);
+  p.appearance.leaves.shape = LeafShape::oak;
+  p.appearance.coat->image.ridges += 1;
+  Result<std::vector<Picture>> other = pictures(p.appearance);
   for (std::size_t i = 0; i < first->size(); ++i) {
     EXPECT_NE((*other)[i].name, (*first)[i].name);
     EXPECT_NE((*other)[i].bytes, (*first)[i].bytes);

@@ -126,7 +126,7 @@ TEST(DrawnOrgan, UnfoldsAsOrgansDo) {
   plant.organs[0].variants = 6;
   Result<Model> model = grow_plant(plant, Seed{2});
   ASSERT_TRUE(model.ok());
-  EXPECT_EQ(model->check(), "");
+  EXPECT_EQ(model->find_fault(), "");
   ASSERT_EQ(model->organs.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(model->organs.birth[i], (static_cast<float>(i) + 1) / 3, 1e-5);

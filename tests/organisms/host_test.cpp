@@ -26,7 +26,7 @@ TEST(TriangleSurface, WallIsBricksInTonesBeforeMortar) {
   WallParams params;
   params.shape.openings = {{WallHole::window, 0.5, 0.8, 1.0, 1.1}};
   Model model = build_wall_model(params, Seed{1});
-  EXPECT_EQ(model.check(), "");
+  EXPECT_EQ(model.find_fault(), "");
   EXPECT_TRUE(closed(model.hull));
   std::set<float> tones;
   std::size_t bricks = 0;
@@ -44,7 +44,7 @@ TEST(TriangleSurface, WallIsBricksInTonesBeforeMortar) {
 
 TEST(TriangleSurface, ColumnIsWhatIvyHoldsOnTo) {
   Model model = build_column_model({});
-  EXPECT_EQ(model.check(), "");
+  EXPECT_EQ(model.find_fault(), "");
   EXPECT_TRUE(closed(model.hull));
   EXPECT_EQ(model.solids.size(), 1u);
   EXPECT_EQ(model.solids.shapes[0].surface.triangle.size(), model.hull.triangle.size());
@@ -59,7 +59,7 @@ TEST(TriangleSurface, MeshIsScaledToItsSize) {
   params.size = 3;
   Result<Model> model = build_mesh_model(params);
   ASSERT_TRUE(model.ok());
-  EXPECT_EQ(model->check(), "");
+  EXPECT_EQ(model->find_fault(), "");
   Surface all = merged(model->solids);
   float top = 0, low = 1;
   for (const Vec3& p : all.position) top = std::max(top, p.y), low = std::min(low, p.y);

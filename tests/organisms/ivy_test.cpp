@@ -47,7 +47,7 @@ TEST(Walkers, StandOnTheirHostAndGoTheirWay) {
   const TriangleSurface& host = *built;
   Result<Ivy> ivy = grow_ivy(params, host, {}, 12, kLevel, Seed{1});
   ASSERT_TRUE(ivy);
-  EXPECT_EQ(ivy->model.check(), "");
+  EXPECT_EQ(ivy->model.find_fault(), "");
   EXPECT_EQ(ivy->model.skeleton.size(), 0u) << "they leave nothing";
   EXPECT_EQ(ivy->model.organs.size(), ivy->strands.strands.size());
   Organs before = walkers_at(params.walkers, ivy->strands, 0.5, Seed{2});
@@ -66,7 +66,7 @@ TEST(Walkers, StandOnTheirHostAndGoTheirWay) {
 
 TEST(Ivy, IsAModelWithLeavesOnItsStrands) {
   Ivy ivy = ivy_on_wall(small_ivy());
-  EXPECT_EQ(ivy.model.check(), "");
+  EXPECT_EQ(ivy.model.find_fault(), "");
   EXPECT_GT(ivy.strands.strands.size(), 5u);
   ASSERT_GT(ivy.model.organs.size(), 100u);
   const Organs& o = ivy.model.organs;
@@ -140,7 +140,7 @@ TEST(Ivy, SprigsBearManyLeavesForFewPlacements) {
   model.skeleton = ivy.model.skeleton;
   std::size_t leaves =
       add_ivy_leaves(model, ivy.strands, params.leaves, {*TriangleSurface::build(wall()), kLevel}, Seed{1});
-  EXPECT_EQ(model.check(), "");
+  EXPECT_EQ(model.find_fault(), "");
   EXPECT_GE(leaves, 6 * model.organs.size());
   EXPECT_GT(leaves, ivy.model.organs.size() / 2);
   // A leaf of a sprig is coarse: a few dozen triangles.

@@ -24,7 +24,7 @@ PlantParams herb(const std::string& axiom, std::vector<std::string> rules, int s
 Model grown(const PlantParams& params) {
   Result<Model> model = grow_plant(params, Seed{7});
   EXPECT_TRUE(model.ok()) << (model ? "" : model.errors()[0].text());
-  EXPECT_EQ(model->check(), "");
+  EXPECT_EQ(model->find_fault(), "");
   return *model;
 }
 
@@ -127,7 +127,7 @@ TEST(Plant, PipesAddUpAtEveryFork) {
 TEST(Plant, HasTheHeightAskedFor) {
   PlantParams params = herb("F", {"F -> F[+F]F[-F][F]"}, 4, 20);
   params.height = 1.7;
-  params.stand = Stand::middle;
+  params.origin = PlantOrigin::middle;
   Model model = grown(params);
   float low = 1e9f, high = -1e9f;
   for (const Vec3& p : model.skeleton.position) low = std::min(low, p.y), high = std::max(high, p.y);
@@ -168,7 +168,7 @@ TEST(Plant, GrowsThroughItsStepsWithoutAJump) {
   for (int frame = 1; frame <= kFrames; ++frame) {
     SCOPED_TRACE(frame);
     Model after = *grow_plant(params, Seed{7}, static_cast<double>(frame) / kFrames);
-    ASSERT_EQ(after.check(), "");
+    ASSERT_EQ(after.find_fault(), "");
     Sight a(before), b(after);
     EXPECT_NEAR(a.wood, b.wood, 8 * wood / kFrames);
     for (auto [id, j] : b.organ) {

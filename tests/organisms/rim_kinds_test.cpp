@@ -27,7 +27,7 @@ std::vector<Model> all_of(Seed seed) {
 
 TEST(RimKinds, AreClosedBodiesWithAPast) {
   for (const Model& model : all_of(Seed{5})) {
-    EXPECT_EQ(model.check(), "");
+    EXPECT_EQ(model.find_fault(), "");
     const Solid& solid = model.solids.shapes.at(0);
     Body body = body_of(solid.surface);
     EXPECT_EQ(body.loose, 0u);
@@ -87,7 +87,7 @@ TEST(RimKinds, AreTheSameOnOneThreadAndOnTwo) {
 TEST(Fan, IsANetThatFlowsTogether) {
   FanParams params;
   Skeleton fan = grow_fan(params, Seed{2});
-  EXPECT_EQ(fan.check(), "");
+  EXPECT_EQ(fan.find_fault(), "");
   EXPECT_GT(fan.size(), 2000u);
   std::size_t roots = 0;
   for (std::size_t i = 0; i < fan.size(); ++i) {

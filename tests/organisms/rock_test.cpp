@@ -23,7 +23,7 @@ TEST(BuildRock, MakesOneSolidALittleInTheGround) {
   params.stone.moss = 0.7;
   params.stone.variation = 0;
   Model model = *build_rock(params, Seed{1});
-  EXPECT_EQ(model.check(), "");
+  EXPECT_EQ(model.find_fault(), "");
   ASSERT_EQ(model.solids.size(), 1u);
   EXPECT_EQ(model.skeleton.size(), 0u);
   const Solid& rock = model.solids.shapes[0];
@@ -80,7 +80,7 @@ TEST(BuildPebbles, LayManyThatDiffer) {
   params.shapes = 5;
   params.number = 200;
   Model model = *build_pebbles(params, Seed{6});
-  EXPECT_EQ(model.check(), "");
+  EXPECT_EQ(model.find_fault(), "");
   const Solids& s = model.solids;
   EXPECT_TRUE(s.follow_ground);
   EXPECT_EQ(s.shapes.size(), 5u);
@@ -116,9 +116,9 @@ TEST(BuildPebbles, LeaveOutWhatFindsNoRoom) {
 
 /// Its picture as frames have it, read again.
 Mask read_again(const StoneLook& look) {
-  Dress dress = stone_dress(look);
-  EXPECT_EQ(dress.look.pictures.size(), 1u);
-  Result<std::vector<Picture>> drawn = dress.look.pictures.at(0).draw();
+  Appearance appearance = stone_appearance(look);
+  EXPECT_EQ(appearance.look.pictures.size(), 1u);
+  Result<std::vector<Picture>> drawn = appearance.look.pictures.at(0).draw();
   EXPECT_TRUE(drawn && drawn->at(0).name == look.moss_map.picture_name());
   Mask mask;
   EXPECT_TRUE(load_mask({"moss.png", drawn->at(0).bytes}, mask).empty());
@@ -127,7 +127,7 @@ Mask read_again(const StoneLook& look) {
 
 TEST(Stone, WearsTheMapOfItsMossWhichHasAnArea) {
   StoneLook look;
-  EXPECT_TRUE(check_stone(look).empty() && stone_dress(look).look.pictures.empty());
+  EXPECT_TRUE(check_stone(look).empty() && stone_appearance(look).look.pictures.empty());
   EXPECT_FALSE(material_of(look, Seed{1}).moss_map);
   look.moss_map.file = {"moss.png", "abc"};
   EXPECT_EQ(check_stone(look).front().where, "/stone/moss_map");

@@ -62,7 +62,7 @@ void expect_free(const Grow& grow) {
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
     Model round = grow(yard, Seed{seed}, true);
     EXPECT_EQ(yard.touching(round.skeleton), 0u) << "seed " << seed;
-    EXPECT_EQ(round.check(), "");
+    EXPECT_EQ(round.find_fault(), "");
     nodes += round.skeleton.size();
     if (seed % 10 > 0) continue;
     Model alone = grow(yard, Seed{seed}, false);

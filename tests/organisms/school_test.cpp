@@ -155,7 +155,7 @@ TEST(School, FishAreSoundMeshes) {
   SchoolParams params;
   for (const Prototype& shape : fish_prototypes(params.fish)) {
     const Surface& mesh = shape.parts[0].surface;
-    EXPECT_EQ(mesh.check(), "");
+    EXPECT_EQ(mesh.find_fault(), "");
     float front = -1, back = 1;
     for (Vec3 p : mesh.position) front = std::max(front, p.y), back = std::min(back, p.y);
     EXPECT_NEAR(front - back, 1, 0.05);
@@ -164,7 +164,7 @@ TEST(School, FishAreSoundMeshes) {
 
 TEST(School, DistancesAreThoseOfTheBodies) {
   Clearance grid(Vec3(-1), Vec3(1), 0.05f);
-  grid.take(Vec3(0), 0.2f);
+  grid.add(Vec3(0), 0.2f);
   grid.measure();
   for (float x : {0.4f, 0.6f, 0.9f}) EXPECT_NEAR(grid({x, 0.03f, -0.02f}), x - 0.2f, 0.06f);
   EXPECT_GT(grid.away({0.6f, 0, 0}).x, 0.8f);

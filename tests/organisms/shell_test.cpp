@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "appearance/shell_pigment.h"
 #include "core/parallel.h"
-#include "dress/shell_pigment.h"
 #include "organisms/shell/coil.h"
 #include "solidity.h"
 #include "solids.h"
@@ -48,7 +48,7 @@ TEST(Shell, IsAClosedBodyTurnedOutward) {
   for (const ShellParams& params : {snail(), clam()})
     for (double share : {0.02, 0.4, 1.0}) {
       Model model = grow_shell(params, share, 0.3, Seed{1});
-      EXPECT_EQ(model.check(), "");
+      EXPECT_EQ(model.find_fault(), "");
       for (const Solid& solid : model.solids.shapes) {
         EXPECT_GT(volume(solid.surface), 0);
         if (share == 1) {

@@ -46,7 +46,7 @@ TEST(Topple, LiesOnTheGroundFlatOrSloping) {
     GroundHeight ground = [&](double x, double z) { return slope * (x + 0.4 * z); };
     Fall fall = fall_of(now, tree, params.species, ground);
     Model model = tree_model(params, tree, tree.uprooting.time, {}, Seed{2});
-    EXPECT_EQ(model.check(), "");
+    EXPECT_EQ(model.find_fault(), "");
     Pose pose;
     pose_skeleton(model.skeleton, {}, 0, pose);
     turn_fallen(fall, model.skeleton, fall.length(), ground, pose);

@@ -20,7 +20,7 @@ TreeParams sapling() {
 
 TEST(Tree, IsAWholeModel) {
   Model model = grow_tree(sapling(), Seed{3});
-  EXPECT_EQ(model.check(), "");
+  EXPECT_EQ(model.find_fault(), "");
   EXPECT_GT(model.skeleton.size(), 300u);
   EXPECT_GT(model.organs.size(), 100u);
   EXPECT_EQ(model.skeleton.parent[0], Skeleton::kRoot);
@@ -136,7 +136,7 @@ TEST(Tree, EveryMomentIsAWholeModel) {
   std::size_t last = 0;
   for (double year : {0.0, 0.01, 0.5, 1.0, 3.3, 7.99, 8.0, 11.2, 12.5}) {
     Model model = tree_model(params, grove.trees[0], year, {0.4, 1}, Seed{2});
-    EXPECT_EQ(model.check(), "") << "year " << year;
+    EXPECT_EQ(model.find_fault(), "") << "year " << year;
     EXPECT_GE(model.skeleton.size() + 50, last);
     last = model.skeleton.size();
   }
@@ -209,7 +209,7 @@ TEST(Tree, BareWoodStandsAtTheEndsOfStubs) {
   TreeParams plain = params;
   plain.knots = 0;
   Model with = grow_tree(params, Seed{3}), without = grow_tree(plain, Seed{3});
-  EXPECT_EQ(with.check(), "");
+  EXPECT_EQ(with.find_fault(), "");
   ASSERT_GT(with.organs.size(), without.organs.size());
   EXPECT_EQ(with.prototypes.back().name, "knot");
   for (std::size_t i = without.organs.size(); i < with.organs.size(); ++i) {
@@ -227,7 +227,7 @@ struct Ring {
 /// The rings at a year, by how far the picture has come up the stem, in thousandths of it.
 std::map<int, Ring> stem_pictures(const TreeParams& params, const GrownTree& tree, double year) {
   Model model = tree_model(params, tree, year, {0.4, 1}, Seed{2});
-  EXPECT_EQ(model.check(), "");
+  EXPECT_EQ(model.find_fault(), "");
   EXPECT_EQ(model.girth.size(), model.skeleton.size());
   TubeShape shape;
   shape.wrap = 0.05;
@@ -320,7 +320,7 @@ TEST(Tree, LeavesMayBePictures) {
   params.coat = BarkCoat{};
   params.coat->pixels = 32;
   Model model = grow_tree(params, Seed{3});
-  EXPECT_EQ(model.check(), "");
+  EXPECT_EQ(model.find_fault(), "");
   Look look;
   look.branches.coat = params.coat;
   look.leaves = pictured_leaves(params);

@@ -21,7 +21,7 @@ TEST(VaseModel, IsTurnedWhereThatIsExactAndAMeshElsewhere) {
     VaseParams params = of_degree(degree);
     Result<Model> model = grow_vase(params, Seed{1});
     ASSERT_TRUE(model);
-    EXPECT_EQ(model->check(), "");
+    EXPECT_EQ(model->find_fault(), "");
     EXPECT_EQ(model->solids.shapes[0].turned.empty(), degree > 3) << degree;
     // A mesh is there in any case, for whatever measures or exports.
     EXPECT_EQ(solidity(model->solids.shapes[0].surface).open, 0u);

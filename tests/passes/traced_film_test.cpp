@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(All, Traced,
 
 TEST(TracedFrame, RaysThroughTheLensMeetWhereItIsInFocus) {
   Scene scene = scene_at("tests/presets/tiny_film.json");
-  scene.stage.camera.aperture = 2;
+  scene.setup.camera.aperture = 2;
   TracedFilm film = taken(TracedFilm::of(scene));
   TracedFrame frame = taken(film.at(0));
   ASSERT_GT(frame.lens, 0);

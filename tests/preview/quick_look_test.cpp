@@ -29,7 +29,7 @@ TEST(QuickLook, ShowsThingsWhereTheCameraSeesThemAndTheirShadows) {
   EXPECT_EQ(with.data, bare.data) << "the same twice";
   scene.specimens.clear();
   Raster without = quick_look(scene, 0);
-  Lens lens = lens_at(scene.stage.camera, 0, 0.75);
+  Lens lens = lens_at(scene.setup.camera, 0, 0.75);
   auto pixel = [&](Vec3 p) {
     Vec3 at = lens.seen(p);
     return std::pair{static_cast<int>((1 + at.x) * 60), static_cast<int>((1 - at.y) * 45)};

@@ -13,7 +13,7 @@ Edit strengthen_at(const char* at, double by) { return {.at = *parse_address(at)
 Model edited(const std::vector<Edit>& edits) {
   Model m = tiny_model();
   edit_model(m, edits);
-  EXPECT_EQ(m.check(), "");
+  EXPECT_EQ(m.find_fault(), "");
   return m;
 }
 
@@ -160,7 +160,7 @@ TEST(Edits, ABareBranchKeepsItsWoodAndNothingElse) {
   }
   // An edit of what a stripped model has no more is passed over.
   strip_model(m, std::vector<Edit>{{.at = *parse_address("7"), .bare = true}});
-  EXPECT_EQ(m.check(), "");
+  EXPECT_EQ(m.find_fault(), "");
 }
 
 TEST(Edits, AnotherBarkIsAColourOfItsOwnBeyondThePlace) {
@@ -187,7 +187,7 @@ TEST(Edits, AnotherBarkIsAColourOfItsOwnBeyondThePlace) {
   edit_model(m, std::vector<Edit>{cut_at("1/1")});
   EXPECT_LT(m.color.size(), before);
   EXPECT_EQ(m.color.size(), m.skeleton.size());
-  EXPECT_EQ(m.check(), "");
+  EXPECT_EQ(m.find_fault(), "");
 }
 
 TEST(Edits, LeaveTheAddressesOfOthers) {

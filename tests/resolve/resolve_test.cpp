@@ -54,7 +54,7 @@ class Painted {
     LightPicture light(scene_.film.size[0] * std::size_t(scene_.film.size[1]), Vec3(0));
     Vec2 size(scene_.film.size[0], scene_.film.size[1]);
     for (int moment = 0; moment < moments; ++moment) {
-      double open = scene_.stage.camera.shutter / scene_.film.fps * (moment + 0.5) / moments;
+      double open = scene_.setup.camera.shutter / scene_.film.fps * (moment + 0.5) / moments;
       TracedFrame frame = taken(film_.at(scene_.film.time(number) + open));
       for (std::size_t i = 0; i < light.size(); ++i)
         for (int ray = 0; ray < side * side; ++ray) {
@@ -104,9 +104,9 @@ TEST(Resolve, BlursWhatMovesAndWhatIsOutOfFocus) {
   for (bool lens : {false, true}) {
     Scene scene = raw_scene();
     if (lens)
-      scene.stage.camera.aperture = 0.4;
+      scene.setup.camera.aperture = 0.4;
     else
-      scene.stage.camera.shutter = 1, scene.stage.camera.shutter_samples = 4;
+      scene.setup.camera.shutter = 1, scene.setup.camera.shutter_samples = 4;
     Painted painted(scene);
     Resolver resolver(scene, painted.film(), [&](int number) { return painted.raw(number); });
     LightPicture many = painted.exposed(4, 8, lens ? 1 : 4), sharp = painted.picture(4, 8, Vec2(0));

@@ -37,7 +37,7 @@ TEST(BlobSurface, IsClosedAndTurnedOutward) {
       Blobs shape{random_blobs({}, Seed{i}), falloff, 1};
       for (int depth : {3, 5}) {
         Surface surface = blob_surface(shape, {depth, i % 2 == 0 ? 0.002 : 0});
-        EXPECT_EQ(surface.check(), "");
+        EXPECT_EQ(surface.find_fault(), "");
         Body body = body_of(surface);
         EXPECT_EQ(body.loose, 0u) << i;
         EXPECT_EQ(body.euler % 2, 0) << i;

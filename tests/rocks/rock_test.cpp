@@ -26,7 +26,7 @@ TEST(Rock, IsOneClosedPieceOnTheGround) {
     RockShape shape = quick();
     shape.weathering.strata = i % 2 ? 0.5 : 0;
     Surface rock = rock_surface(shape, Seed{i});
-    EXPECT_EQ(rock.check(), "");
+    EXPECT_EQ(rock.find_fault(), "");
     EXPECT_EQ(count_pieces(rock), 1) << i;
     Body body = body_of(rock);
     EXPECT_EQ(body.loose, 0u);

@@ -11,7 +11,7 @@ namespace {
 TEST(Stone, IsClosedAndWellFormed) {
   for (int detail = 0; detail <= 3; ++detail) {
     Surface s = stone_surface({Seed{4}}, detail);
-    EXPECT_EQ(s.check(), "");
+    EXPECT_EQ(s.find_fault(), "");
     EXPECT_EQ(s.triangle.size(), 20u << (2 * detail));
     // Each edge is run once in each direction.
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;

@@ -21,8 +21,8 @@ Camera filmed(const std::string& move) {
                       kFrames, move),
                   "test.json", {});
   EXPECT_TRUE(preset) << preset.errors().front().text();
-  EXPECT_FALSE(preset->stage.camera.move);
-  return preset->stage.camera;
+  EXPECT_FALSE(preset->setup.camera.move);
+  return preset->setup.camera;
 }
 
 /// The longest way and the largest change of it from frame to frame, the first again behind the last.
@@ -113,7 +113,7 @@ TEST(GrowthToTheEnd, LastsUntilTheLastFrame) {
                                                     frames, defaults, growth),
                                         "test.json", {});
     EXPECT_TRUE(preset) << preset.errors().front().text();
-    return preset->organisms[0].grower->dress().motion.growth.duration;
+    return preset->organisms[0].grower->appearance().motion.growth.duration;
   };
   EXPECT_DOUBLE_EQ(duration(R"(, "growth": {"to_end": true})"), 2);
   EXPECT_DOUBLE_EQ(duration(R"(, "growth": {"to_end": true, "start": 0.5, "stagger": 0.25, "duration": 9})"),

@@ -23,7 +23,7 @@ TEST(Camera, FollowsTheGround) {
   const Heights& heights = follows.ground->heights();
   double least = 1e9, most = -1e9;
   for (double t = 0; t <= 4; t += 0.05) {
-    Vec3 given = still.stage.camera.location.at(t), at = follows.stage.camera.location.at(t);
+    Vec3 given = still.setup.camera.location.at(t), at = follows.setup.camera.location.at(t);
     EXPECT_NEAR(at.x, given.x, 0.1);
     EXPECT_NEAR(at.z, given.z, 0.1);
     double ground = heights(at.x, at.z);
@@ -31,9 +31,9 @@ TEST(Camera, FollowsTheGround) {
     least = std::min(least, ground), most = std::max(most, ground);
   }
   EXPECT_GT(most - least, 3) << "hill and dale";
-  EXPECT_TRUE(follows.stage.camera.look_at.constant());
-  EXPECT_NEAR(follows.stage.camera.look_at.at(0).y, 1, 0.2);
-  EXPECT_EQ(still.stage.camera.location.at(1).y, 1.7f);
+  EXPECT_TRUE(follows.setup.camera.look_at.constant());
+  EXPECT_NEAR(follows.setup.camera.look_at.at(0).y, 1, 0.2);
+  EXPECT_EQ(still.setup.camera.location.at(1).y, 1.7f);
 }
 
 /// A bush of one rule and a column, before a camera that fits.
@@ -55,7 +55,7 @@ TEST(Camera, FitsWhatIsNamedIntoAPictureOfAnyShape) {
       for (const char* whom : {R"(["bush"])", R"(["all"])"}) {
         Scene scene = fitting(std::string(way) + R"(, "margin": 0.1, "fit": )" + whom, size);
         double aspect = static_cast<double>(scene.film.size[1]) / scene.film.size[0];
-        Lens lens = lens_at(scene.stage.camera, 0, aspect);
+        Lens lens = lens_at(scene.setup.camera, 0, aspect);
         float most = 0;
         for (const Specimen& s : scene.specimens) {
           if (s.name != "bush" && (s.name != "column" || std::string(whom) == R"(["bush"])")) continue;
@@ -80,9 +80,9 @@ TEST(Camera, FitsWhatIsNamedIntoAPictureOfAnyShape) {
 TEST(Camera, FitsAtEachKeyframe) {
   Scene scene = fitting(R"("location": [[0, [0, 2, 9]], [1, [9, 2, 0]], [2, [0, 5, -9]]], "fit": ["column"])",
                         "[320, 240]");
-  EXPECT_EQ(scene.stage.camera.location.keys().size(), 3u);
+  EXPECT_EQ(scene.setup.camera.location.keys().size(), 3u);
   for (double time : {0.0, 1.0, 2.0}) {
-    Vec3 at = lens_at(scene.stage.camera, time, 0.75).seen(Vec3(-4, 0.5f, 1));
+    Vec3 at = lens_at(scene.setup.camera, time, 0.75).seen(Vec3(-4, 0.5f, 1));
     EXPECT_LT(std::max(std::abs(at.x), std::abs(at.y)), 1) << time;
   }
 }

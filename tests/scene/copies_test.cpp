@@ -54,10 +54,10 @@ TEST(CopyParts, BecomeFewerAndKeepTheirLeaves) {
   std::size_t triangles = SIZE_MAX;
   double first = 0;
   for (double grain : {0.002, 0.01, 0.04, 0.16}) {
-    std::vector<CopyPart> parts = copy_parts(o.grower->dress().look, *model, {grain, 1e9});
+    std::vector<CopyPart> parts = copy_parts(o.grower->appearance().look, *model, {grain, 1e9});
     std::size_t now = 0;
     for (const CopyPart& part : parts) {
-      EXPECT_EQ(part.surface.check(), "");
+      EXPECT_EQ(part.surface.find_fault(), "");
       now += part.surface.triangle.size();
     }
     EXPECT_LT(now, triangles) << grain;
@@ -75,7 +75,7 @@ TEST(CopyParts, KeepToTheirTriangles) {
   ASSERT_TRUE(model);
   double first = 0;
   for (double most : {1e9, 5000.0, 1000.0, 200.0}) {
-    const std::vector<CopyPart> parts = copy_parts(o.grower->dress().look, *model, {0.002, most});
+    const std::vector<CopyPart> parts = copy_parts(o.grower->appearance().look, *model, {0.002, most});
     const Surface& leaves = part_of(parts, CopyPart::Kind::organ).surface;
     EXPECT_LT(static_cast<double>(leaves.triangle.size()), 2 * most);
     if (first == 0) first = area(leaves);
@@ -89,7 +89,7 @@ TEST(CopyParts, LeavesKnowTheirColor) {
   ASSERT_TRUE(model);
   std::array<int, 3> wanted{}, drawn{};
   for (std::int32_t color : model->organs.color) ++wanted[static_cast<std::size_t>(color)];
-  std::vector<CopyPart> parts = copy_parts(o.grower->dress().look, *model, {});
+  std::vector<CopyPart> parts = copy_parts(o.grower->appearance().look, *model, {});
   const Surface& leaves = part_of(parts, CopyPart::Kind::organ).surface;
   for (Vec2 uv : leaves.uv) {
     EXPECT_GE(uv.x, 0);
@@ -106,7 +106,7 @@ TEST(CopyParts, HaveNoDew) {
   Result<Model> model = grow_copy(o, 0);
   ASSERT_TRUE(model);
   ASSERT_EQ(model->prototypes[0].parts.size(), 2u);
-  std::vector<CopyPart> parts = copy_parts(o.grower->dress().look, *model, {});
+  std::vector<CopyPart> parts = copy_parts(o.grower->appearance().look, *model, {});
   EXPECT_EQ(std::ranges::count(parts, CopyPart::Kind::organ, &CopyPart::kind), 1);
 }
 

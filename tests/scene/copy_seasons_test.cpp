@@ -29,7 +29,7 @@ std::vector<double> leaf_areas(const Organism& o, double grain, int steps) {
   for (int i = 0; i <= steps; ++i) {
     Organs now = copy_organs(o, 0, full, seasons, static_cast<double>(i) / steps);
     double sum = 0;
-    for (const CopyPart& part : copy_parts(o.grower->dress().look, full, {grain, 1e9}, nullptr, &now))
+    for (const CopyPart& part : copy_parts(o.grower->appearance().look, full, {grain, 1e9}, nullptr, &now))
       if (part.which == 0) sum += area(part.surface);
     areas.push_back(sum);
   }
@@ -63,7 +63,7 @@ TEST(CopySeasons, FarLeavesStandForTheSameOnesAllYear) {
   Model full = *grow_copy(o, 0, true);
   Seasons seasons = *copy_seasons(o, Film{.frames = 48});
   auto leaves = [&](const Organs* now) {
-    std::vector<CopyPart> parts = copy_parts(o.grower->dress().look, full, {0.05, 1e9}, nullptr, now);
+    std::vector<CopyPart> parts = copy_parts(o.grower->appearance().look, full, {0.05, 1e9}, nullptr, now);
     for (CopyPart& part : parts)
       if (part.kind == CopyPart::Kind::organ) return part.surface.position;
     return std::vector<Vec3>();
@@ -86,7 +86,7 @@ TEST(CopySeasons, TheYearOfTheSceneIsThatOfSeasonsWithoutTheirOwn) {
       {"kind": "tree"}, {"kind": "tree", "season": {"fall": 0.8}}, {"kind": "tree", "season": 0.7}, {"kind": "rock"}]})";
   Result<Preset> preset = read_preset(text, "test.json", {});
   ASSERT_TRUE(preset) << preset.errors().front().text();
-  auto at = [&](std::size_t i) { return preset->organisms[i].grower->dress().season->at; };
+  auto at = [&](std::size_t i) { return preset->organisms[i].grower->appearance().season->at; };
   EXPECT_EQ(at(0).at(2), 1);
   EXPECT_EQ(at(1).at(2), 1);
   EXPECT_EQ(at(2).at(2), 0.7);

@@ -95,7 +95,7 @@ TEST(SceneEdits, AreDoneToEachKind) {
     EXPECT_NE(plant_of(bent).model.skeleton.position, before.skeleton.position) << kind;
     EXPECT_EQ(plant_of(strong).model.skeleton.size(), before.skeleton.size()) << kind;
     EXPECT_NE(plant_of(strong).model.skeleton.radius, before.skeleton.radius) << kind;
-    for (const Scene* scene : {&cut, &bent, &strong}) EXPECT_EQ(scene->check(), "") << kind;
+    for (const Scene* scene : {&cut, &bent, &strong}) EXPECT_EQ(scene->find_fault(), "") << kind;
     Scene none = edited(R"(:0.8", "bend": [0, 0, 0])");
     EXPECT_EQ(plant_of(none).model.skeleton.position, before.skeleton.position) << kind;
     EXPECT_EQ(plant_of(none).model.organs.position, before.organs.position) << kind;
@@ -130,8 +130,8 @@ TEST(SceneEdits, HoldAtAllTimesOfAFilm) {
     ASSERT_TRUE(a && b && c);
     ASSERT_EQ((*a)->model.skeleton.size(), (*b)->model.skeleton.size());
     fewer += (*c)->model.skeleton.size() < (*a)->model.skeleton.size();
-    EXPECT_EQ((*b)->model.check(), "");
-    EXPECT_EQ((*c)->model.check(), "");
+    EXPECT_EQ((*b)->model.find_fault(), "");
+    EXPECT_EQ((*c)->model.find_fault(), "");
   }
   EXPECT_GE(fewer, 3u);
 }
@@ -211,7 +211,7 @@ TEST(SceneEdits, CopiesHaveBranchesOfAnotherBark) {
     Result<Model> model = grow_copy(organism, 0);
     ASSERT_TRUE(model);
     std::size_t woods = 0;
-    for (const CopyPart& part : copy_parts(copy_dress(organism).look, *model, {}))
+    for (const CopyPart& part : copy_parts(copy_appearance(organism).look, *model, {}))
       woods += part.kind == CopyPart::Kind::wood;
     EXPECT_EQ(woods, edits.empty() ? 1u : 2u);
   }

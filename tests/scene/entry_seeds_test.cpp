@@ -66,12 +66,11 @@ std::map<std::string, std::vector<std::string>> members(const Preset& preset, co
   };
   for (const Specimen& s : scene.specimens)
     if (s.entry != Specimen::kNoEntry) all[called(s.entry)].push_back(text_of(s));
-  for (const SownStand& stand : scene.stands)
-    for (std::size_t i = 0; i < stand.copies.size(); ++i)
-      all[called(stand.entry)].push_back(fmt::format("{} {} {} {} {} {} {}", stand.copies.model[i],
-                                                     stand.copies.foot[i].x, stand.copies.foot[i].z,
-                                                     stand.copies.turn[i].y, stand.copies.tint[i],
-                                                     stand.copies.span[i].begin, stand.copies.span[i].end));
+  for (const CopySet& set : scene.copy_sets)
+    for (std::size_t i = 0; i < set.copies.size(); ++i)
+      all[called(set.entry)].push_back(fmt::format(
+          "{} {} {} {} {} {} {}", set.copies.model[i], set.copies.foot[i].x, set.copies.foot[i].z,
+          set.copies.turn[i].y, set.copies.tint[i], set.copies.span[i].begin, set.copies.span[i].end));
   return all;
 }
 

@@ -40,7 +40,7 @@ TEST(FarCameras, ScenesOfAllSettingsEndInSecondsWhereverTheCameraIs) {
     for (int i = 0; i < kPlaces; ++i) {
       Preset preset = vase_in(row.name, i % 2 == 0);
       double far = 0.1 * std::pow(50'000, i / (kPlaces - 1.0)), turn = 2.4 * i;
-      Camera& camera = preset.stage.camera;
+      Camera& camera = preset.setup.camera;
       double high = i % 3 == 0 ? 0.7 * far : 1 + 0.02 * far;
       camera.location = Animated<Vec3>(Vec3(far * std::cos(turn), high, far * std::sin(turn)));
       camera.look_at = Animated<Vec3>(Vec3(0, 0.5, 0));
@@ -73,7 +73,7 @@ TEST(FarCameras, AreRefusedWithAReasonBeyondAKilometre) {
 TEST(FarCameras, AGardenFromFourHundredMetresTakesHardlyLongerThanFromTwenty) {
   auto seconds = [](float far) {
     Preset preset = vase_in("garden", true);
-    preset.stage.camera.location = Animated<Vec3>(Vec3(0, 5, far));
+    preset.setup.camera.location = Animated<Vec3>(Vec3(0, 5, far));
     return seconds_of([&] { EXPECT_TRUE(build_scene(preset)); });
   };
   EXPECT_LT(seconds(400), 4 * seconds(20) + 2);

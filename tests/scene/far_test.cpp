@@ -30,11 +30,11 @@ TEST(FarLandOfScenes, TreesAreCopiesOfTheOrganismsThatAreNamed) {
   const std::string oak = R"({"kind": "weber_penn", "name": "oak", "count": 0, "sown": {"models": 2}})";
   Scene scene = far_scene(
       R"("setting": "meadow", "meadow": {"blade": 0}, "far": {"trees": ["oak"], "woods": 0.6})", oak);
-  ASSERT_EQ(scene.stands.size(), 1u);
-  EXPECT_GT(scene.stands[0].copies.size(), 10u);
+  ASSERT_EQ(scene.copy_sets.size(), 1u);
+  EXPECT_GT(scene.copy_sets[0].copies.size(), 10u);
   for (const FarObject& o : scene.far->objects)
     EXPECT_TRUE(o.kind == FarKind::hedge || o.kind == FarKind::house);
-  EXPECT_EQ(scene.check(), "");
+  EXPECT_EQ(scene.find_fault(), "");
 }
 
 TEST(FarLandOfScenes, ViewHoldsAllThatAFilmSees) {

@@ -60,7 +60,7 @@ TEST(Furnish, SownCopiesStandInTheirRoomsInAnySetting) {
                               setting);
     Scene scene = *build_scene(preset);
     std::vector<PlanSite> beds = beds_of(preset);
-    const Copies& copies = scene.stands.at(0).copies;
+    const Copies& copies = scene.copy_sets.at(0).copies;
     ASSERT_EQ(std::ssize(copies.foot), 9 * std::ssize(beds)) << setting;
     for (std::size_t i = 0; i < copies.size(); ++i)
       EXPECT_TRUE(holds(beds[i / 9], {copies.foot[i].x, copies.foot[i].z})) << setting << " " << i;

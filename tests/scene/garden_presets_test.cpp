@@ -30,7 +30,7 @@ std::vector<PlantParams> plants_of(const std::string& name) {
 Model grown(const PlantParams& plant) {
   Result<Model> model = grow_plant(plant, Seed{3});
   EXPECT_TRUE(model.ok()) << (model ? "" : model.errors()[0].text());
-  EXPECT_EQ(model->check(), "");
+  EXPECT_EQ(model->find_fault(), "");
   return *model;
 }
 
@@ -158,10 +158,10 @@ TEST(GardenPresets, TheGardenHasAllOfIt) {
   std::string path = kFolder + "garden.json";
   Result<Preset> preset = read_preset(*read_file(path), path, {});
   ASSERT_TRUE(preset.ok()) << preset.errors()[0].text();
-  EXPECT_EQ(settings()[preset->stage.setting].name, "garden");
-  EXPECT_GT(preset->stage.block<Garden>().pond.size.x, 1);
-  EXPECT_GE(preset->stage.block<Garden>().path.points.size(), 2u);
-  EXPECT_FALSE(preset->stage.camera.location.constant());
+  EXPECT_EQ(settings()[preset->setup.setting].name, "garden");
+  EXPECT_GT(preset->setup.block<Garden>().pond.size.x, 1);
+  EXPECT_GE(preset->setup.block<Garden>().path.points.size(), 2u);
+  EXPECT_FALSE(preset->setup.camera.location.constant());
   std::multiset<std::string> names;
   for (const Organism& organism : preset->organisms)
     for (int i = 0; i < organism.count; ++i) names.insert(organism.name);

@@ -75,11 +75,11 @@ struct Shape {
   bool operator==(const Shape&) const = default;
 
   void add(const Model& model) {
-    auto take = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-    take(position, model.skeleton.position), take(radius, model.skeleton.radius);
-    take(organs, model.organs.position);
-    take(bodies, model.blades.surface.position), take(bodies, model.solids.position);
-    for (const Solid& solid : model.solids.shapes) take(bodies, solid.surface.position);
+    auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    append(position, model.skeleton.position), append(radius, model.skeleton.radius);
+    append(organs, model.organs.position);
+    append(bodies, model.blades.surface.position), append(bodies, model.solids.position);
+    for (const Solid& solid : model.solids.shapes) append(bodies, solid.surface.position);
   }
 };
 

@@ -91,7 +91,7 @@ TEST(Mesh, MaterialsOfTheFileAreDrawnOrToldOf) {
   Scene scene = mesh_scene_with(R"("file": "house.obj")", folder);
   const Specimen& body = scene.specimens[0];
   ASSERT_EQ(body.model.solids.shapes.size(), 3u);
-  EXPECT_EQ(body.model.check(), "");
+  EXPECT_EQ(body.model.find_fault(), "");
   EXPECT_EQ(body.model.solids.shapes[0].material.color, (Color{0.6f, 0.3f, 0.2f}));
   EXPECT_EQ(body.model.solids.shapes[0].material.matter, Matter::plain);
   ASSERT_EQ(body.look.pictures.size(), 2u) << "a pane that lets light through, and tiles";

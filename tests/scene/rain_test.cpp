@@ -34,7 +34,7 @@ TEST(SceneRain, FillsHollowsOutsideOfThePond) {
   Scene scene = rainy_scene(R"(, "rain": {"fallen": 8})");
   const Specimen* water = water_of(scene);
   ASSERT_TRUE(water);
-  EXPECT_EQ(water->check(), "");
+  EXPECT_EQ(water->find_fault(), "");
   EXPECT_TRUE(
       std::ranges::all_of(scene.specimens, [](const Specimen& s) { return s.wet || s.name == "puddles"; }));
   for (const Vec3& p : water->model.solids.shapes[0].surface.position) {
@@ -58,21 +58,21 @@ TEST(SceneRain, PuddlesGrowAndDryUp) {
 
 TEST(SceneRain, FallsFromADimGreySky) {
   for (std::string_view name : {"meadow", "garden", "forest"}) {
-    Stage stage;
-    stage.setting = row_of(name);
-    Daylight dry = drawn_daylight(stage_at(stage, 0));
-    stage.rain = Rain{.rate = Animated<double>({{0, 0.0}, {1, 20.0}})};
-    EXPECT_EQ(drawn_daylight(stage_at(stage, 0)).sunlight, dry.sunlight) << "before it begins";
-    Daylight wet = drawn_daylight(stage_at(stage, 1));
+    SceneSetup setup;
+    setup.setting = row_of(name);
+    Daylight dry = drawn_daylight(setup_at(setup, 0));
+    setup.rain = Rain{.rate = Animated<double>({{0, 0.0}, {1, 20.0}})};
+    EXPECT_EQ(drawn_daylight(setup_at(setup, 0)).sunlight, dry.sunlight) << "before it begins";
+    Daylight wet = drawn_daylight(setup_at(setup, 1));
     EXPECT_LT(wet.sunlight.g, 0.1f * dry.sunlight.g);
     EXPECT_LT(wet.above.b / wet.above.r, 1.2f) << "grey";
     EXPECT_GT(wet.above.g, 0.3f) << "but bright";
     EXPECT_LT(wet.fade, dry.fade) << "of the air";
     EXPECT_NEAR(1 / wet.fade - 1 / dry.fade, rain_extinction(20), 1e-9);
     EXPECT_LT(wet.thrown_back.g, dry.thrown_back.g);
-    EXPECT_TRUE(sun_moves(stage));
+    EXPECT_TRUE(sun_moves(setup));
   }
-  Stage sea;
+  SceneSetup sea;
   sea.rain = Rain{};
   EXPECT_FALSE(is_rainy(sea)) << "under water";
 }

@@ -83,7 +83,7 @@ TEST(Preset, MistakesInRulesAreToldOnceByAFullPathToo) {
     EXPECT_EQ(first_of(rule), "/home/x.json:1:56: /organisms/0/grammar/rules/0");
 }
 
-TEST(Preset, DoubtsAreToldWithTheirPlace) {
+TEST(Preset, WarningsAreToldWithTheirPlace) {
   Preset preset = preset_of(R"({"organisms": [
   {"kind": "tree", "habit": {"branching_angle": 1.08}},
   {"kind": "coral", "pitch": 0.43},
@@ -98,13 +98,13 @@ TEST(Preset, DoubtsAreToldWithTheirPlace) {
       0u);
 }
 
-TEST(Preset, ShippedOnesRaiseNoDoubts) {
+TEST(Preset, ShippedOnesRaiseNoWarnings) {
   int tried = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(FROND_ROOT "/presets")) {
     if (entry.path().extension() != ".json" || entry.path().parent_path().filename() == "grammars") continue;
     Result<Preset> preset = read_preset(*read_file(entry.path()), entry.path().string(), {});
     ASSERT_TRUE(preset.ok()) << preset.errors()[0].text();
-    for (const Error& doubt : preset->notes) ADD_FAILURE() << doubt.text();
+    for (const Error& warning : preset->notes) ADD_FAILURE() << warning.text();
     ++tried;
   }
   EXPECT_GT(tried, 40);
@@ -193,7 +193,7 @@ TEST(Scene, RootsEveryCoral) {
 TEST(Reef, HasNoJumps) {
   // Over the whole film: between two frames no node moves more than 8 times the film's mean motion.
   Scene scene = *build_scene(preset_at("presets/thicket.json"));
-  for (const Specimen& b : scene.specimens) EXPECT_EQ(b.model.skeleton.check(), "") << b.name;
+  for (const Specimen& b : scene.specimens) EXPECT_EQ(b.model.skeleton.find_fault(), "") << b.name;
   double total = 0, count = 0;
   float most = 0;
   std::string worst;
@@ -246,7 +246,7 @@ TEST(Garden, GrowsNoGrassInPondAndPath) {
     Vec2 at(patch.at.x, patch.at.z);
     EXPECT_GT(lawn_of.plot().pond_distance(at), 0);
     EXPECT_GT(lawn_of.plot().path_distance(at), 0);
-    double side = 0.4 / (1 << patch.shape / (kTurfShapes * kTurfStands));
+    double side = 0.4 / (1 << patch.shape / (kTurfShapes * kTurfMixtures));
     lawn += side * side;
   }
   for (const Patch& patch : lawn_of.gravel_patches) {
@@ -293,13 +293,13 @@ TEST(Scene, IsWhatItPromises) {
     ASSERT_TRUE(preset.ok()) << preset.errors()[0].text();
     Result<Scene> scene = build_scene(*preset);
     ASSERT_TRUE(scene.ok()) << scene.errors()[0].text();
-    EXPECT_EQ(scene->check(), "") << name;
+    EXPECT_EQ(scene->find_fault(), "") << name;
     // What becomes another shape over the film is sound in the middle of it, too.
     for (const Specimen& s : scene->specimens) {
       if (!s.life.changes()) continue;
       auto now = developed(s, scene->film.length() / 2);
       ASSERT_TRUE(now.ok()) << now.errors()[0].text();
-      EXPECT_EQ((*now)->model.check(), "") << name;
+      EXPECT_EQ((*now)->model.find_fault(), "") << name;
     }
   }
 }

@@ -17,7 +17,7 @@ Copies copies_with(const std::string& present, const std::string& year = R"("yea
                       present + R"( "where": {"layer": "herbs", "radius": 0.2}}}]})",
                   "test.json", {});
   if (!preset) ADD_FAILURE() << preset.errors().front().text();
-  return build_scene(*preset)->stands.at(0).copies;
+  return build_scene(*preset)->copy_sets.at(0).copies;
 }
 
 /// Seconds of the film at a year, which passes slowly at its ends.

@@ -36,7 +36,7 @@ TEST(SceneSnow, IsThereOnlyWhereItIsAskedForUnderTheOpenSky) {
     Scene scene = scene_with(R"(, "snow": {"depth": 0.1})", setting);
     const Specimen* snow = snow_of(scene);
     ASSERT_TRUE(snow) << setting;
-    EXPECT_EQ(snow->check(), "");
+    EXPECT_EQ(snow->find_fault(), "");
     EXPECT_TRUE(
         std::ranges::all_of(scene.specimens, [](const Specimen& s) { return s.snowy || s.name == "snow"; }));
   }
@@ -74,32 +74,32 @@ TEST(SceneSnow, FallsAndMeltsWithoutAJump) {
 }
 
 TEST(SceneSnow, FallsFromAnOvercastSkyThatHidesWhatIsFar) {
-  Stage stage;
-  stage.setting = row_of("meadow");
-  stage.snow.depth = 0.1;
-  Daylight clear = drawn_daylight(stage_at(stage, 0));
-  stage.snow.falling = 1;
-  EXPECT_EQ(overcast(stage), 1);
-  EXPECT_FALSE(sun_moves(stage));
-  Daylight dull = drawn_daylight(stage_at(stage, 0));
+  SceneSetup setup;
+  setup.setting = row_of("meadow");
+  setup.snow.depth = 0.1;
+  Daylight clear = drawn_daylight(setup_at(setup, 0));
+  setup.snow.falling = 1;
+  EXPECT_EQ(overcast(setup), 1);
+  EXPECT_FALSE(sun_moves(setup));
+  Daylight dull = drawn_daylight(setup_at(setup, 0));
   EXPECT_LT(dull.sunlight.g, 0.3f * clear.sunlight.g);
   EXPECT_LT(dull.fade, 400);
-  stage.snow.falling = Animated<double>({{0, 0}, {1, 2}});
-  EXPECT_TRUE(sun_moves(stage));
-  EXPECT_EQ(drawn_daylight(stage_at(stage, 0)).sunlight, clear.sunlight) << "it has not begun";
+  setup.snow.falling = Animated<double>({{0, 0}, {1, 2}});
+  EXPECT_TRUE(sun_moves(setup));
+  EXPECT_EQ(drawn_daylight(setup_at(setup, 0)).sunlight, clear.sunlight) << "it has not begun";
 }
 
 TEST(SceneSnow, ThrowsBackTheLightOfTheSky) {
-  Stage stage;
-  stage.setting = row_of("meadow");
-  Daylight summer = drawn_daylight(stage);
-  stage.snow.depth = 0.1;
-  Daylight winter = drawn_daylight(stage);
+  SceneSetup setup;
+  setup.setting = row_of("meadow");
+  Daylight summer = drawn_daylight(setup);
+  setup.snow.depth = 0.1;
+  Daylight winter = drawn_daylight(setup);
   EXPECT_GT(winter.thrown_back.g, 3 * summer.thrown_back.g);
   EXPECT_GT(winter.below.b, 2 * summer.below.b);
   EXPECT_EQ(winter.sunlight, summer.sunlight);
-  stage.setting = row_of("underwater");
-  EXPECT_FALSE(is_snowy(stage));
+  setup.setting = row_of("underwater");
+  EXPECT_FALSE(is_snowy(setup));
 }
 
 }  // namespace

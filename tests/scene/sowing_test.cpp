@@ -35,13 +35,13 @@ const std::string kHerbs =
 TEST(Sowing, StandsOnTheLandAndIsNotPlanted) {
   Scene scene = scene_of("forest", kTrees + "," + kHerbs, kHills);
   EXPECT_TRUE(scene.specimens.empty());
-  ASSERT_EQ(scene.stands.size(), 2u);
-  EXPECT_EQ(scene.stands[1].entry, 1u);
+  ASSERT_EQ(scene.copy_sets.size(), 2u);
+  EXPECT_EQ(scene.copy_sets[1].entry, 1u);
   const Heights& heights = scene.ground->heights();
   const Plot& plot = ground_as<ForestGround>(*scene.ground).plot();
-  for (const SownStand& stand : scene.stands) {
-    const Copies& c = stand.copies;
-    EXPECT_EQ(c.size(), stand.entry == 0 ? 90u : 200u);
+  for (const CopySet& set : scene.copy_sets) {
+    const Copies& c = set.copies;
+    EXPECT_EQ(c.size(), set.entry == 0 ? 90u : 200u);
     ASSERT_EQ(c.foot.size(), c.size());
     ASSERT_EQ(c.turn.size(), c.size());
     ASSERT_EQ(c.scale.size(), c.size());
@@ -51,13 +51,13 @@ TEST(Sowing, StandsOnTheLandAndIsNotPlanted) {
       EXPECT_LE(c.foot[i].y, ground + 1e-4);
       EXPECT_GT(c.foot[i].y, ground - 0.15);
       EXPECT_LT(c.tint[i], kTints);
-      EXPECT_LT(c.model[i], stand.entry == 0 ? 4 : 3);
+      EXPECT_LT(c.model[i], set.entry == 0 ? 4 : 3);
       EXPECT_GT(plot.path_distance({c.foot[i].x, c.foot[i].z}), 0.49);
     }
   }
   // Herbs stand across the slope, trees are plumb but for their lean.
   double slanted = 0;
-  const Copies& herbs = scene.stands[1].copies;
+  const Copies& herbs = scene.copy_sets[1].copies;
   for (std::size_t i = 0; i < herbs.size(); ++i) {
     Vec3 up = herbs.turn[i] * Vec3(0, 1, 0), foot = herbs.foot[i];
     double rise = heights(foot.x + 0.5, foot.z) - heights(foot.x - 0.5, foot.z);
@@ -65,18 +65,19 @@ TEST(Sowing, StandsOnTheLandAndIsNotPlanted) {
     slanted = std::max(slanted, std::abs(rise));
   }
   EXPECT_GT(slanted, 0.15);
-  for (Quat turn : scene.stands[0].copies.turn) EXPECT_GT((turn * Vec3(0, 1, 0)).y, std::cos(radians(6.1)));
+  for (Quat turn : scene.copy_sets[0].copies.turn)
+    EXPECT_GT((turn * Vec3(0, 1, 0)).y, std::cos(radians(6.1)));
 }
 
 TEST(Sowing, WorksInEverySetting) {
   for (std::string setting : {"underwater", "studio", "meadow", "garden", "forest"}) {
     std::string herb = R"({"kind": "vase", "count": 30, "sown": {"where": {"radius": 0.05, "stem": 0.02}}})";
     Scene scene = scene_of(setting, herb, R"(, "studio": {"distance": 3}, "floor": {"stones": 10})");
-    ASSERT_EQ(scene.stands.size(), 1u) << setting;
-    EXPECT_EQ(scene.stands[0].copies.size(), 30u) << setting;
+    ASSERT_EQ(scene.copy_sets.size(), 1u) << setting;
+    EXPECT_EQ(scene.copy_sets[0].copies.size(), 30u) << setting;
     const Heights& heights = scene.ground->heights();
     float far = 0;
-    for (Vec3 foot : scene.stands[0].copies.foot) {
+    for (Vec3 foot : scene.copy_sets[0].copies.foot) {
       EXPECT_NEAR(foot.y, heights(foot.x, foot.z), 0.02) << setting;
       far = std::max({far, std::abs(foot.x), std::abs(foot.z)});
     }
@@ -96,7 +97,7 @@ TEST(Sowing, KeepsClearOfPondPathAndWhatStands) {
                              "path": {"points": [[-20, 6], [20, 4]], "width": 1.5}})");
   EXPECT_EQ(scene.specimens.size(), 1u);
   const Plot& plot = ground_as<Lawn>(*scene.ground).plot();
-  const Copies& copies = scene.stands.at(0).copies;
+  const Copies& copies = scene.copy_sets.at(0).copies;
   EXPECT_GT(copies.size(), 500u);
   for (Vec3 foot : copies.foot) {
     Vec2 at(foot.x, foot.z);
@@ -131,7 +132,7 @@ TEST(Sowing, SownTreesDoNotJoinTheGrove) {
   EXPECT_EQ(alone.specimens[0].model.skeleton.position, both.specimens[0].model.skeleton.position);
   const Heights& heights = both.ground->heights();
   EXPECT_NEAR(both.specimens[0].model.skeleton.position[0].y, heights(50, 40), 0.05);
-  for (Vec3 foot : both.stands.at(0).copies.foot)
+  for (Vec3 foot : both.copy_sets.at(0).copies.foot)
     EXPECT_GT(glm::distance(Vec2(foot.x, foot.z), Vec2(50, 40)), 0.6);
 }
 
@@ -148,7 +149,7 @@ TEST(Sowing, IsTheSameAtAnyThreadCount) {
   Scene two = scene_of("forest", kTrees, kHills);
   limit_threads(0);
   EXPECT_EQ(one.ground->floor().position, two.ground->floor().position);
-  EXPECT_EQ(one.stands[0].copies.foot, two.stands[0].copies.foot);
+  EXPECT_EQ(one.copy_sets[0].copies.foot, two.copy_sets[0].copies.foot);
 }
 
 }  // namespace

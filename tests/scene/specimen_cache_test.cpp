@@ -109,11 +109,11 @@ TEST(SpecimenCache, ACameraThatFitsBeyondTheLandGrowsNothingTwice) {
   };
   Scene near_scene, far_scene;
   EXPECT_EQ(steps_of(preset, near_scene), steps_of(far, far_scene));
-  ASSERT_GT(far_scene.stage.camera.location.at(0).z, 100) << "farther than the land was laid at first";
+  ASSERT_GT(far_scene.setup.camera.location.at(0).z, 100) << "farther than the land was laid at first";
   // And it is what grows there at once.
   Preset there = far;
-  there.stage.camera = far_scene.stage.camera;
-  there.stage.camera.fit.clear();
+  there.setup.camera = far_scene.setup.camera;
+  there.setup.camera.fit.clear();
   expect_same(grown_with(there, nullptr), far_scene);
 }
 

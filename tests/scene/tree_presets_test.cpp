@@ -168,12 +168,13 @@ TEST(TreePresets, LeavesAreGreenInSummer) {
     ASSERT_TRUE(preset) << preset.errors()[0].text();
     const Grower& grower = *preset->organisms.at(0).grower;
     std::vector<Color> colors;
-    if (const Dress dress = grower.dress(); dress.look.leaves) colors = dress.look.leaves->colors;
+    if (const Appearance appearance = grower.appearance(); appearance.look.leaves)
+      colors = appearance.look.leaves->colors;
     if (const auto* tree = dynamic_cast<const Holding<TreeParams>*>(&grower); tree && colors.empty())
       colors = tree->params.leaves.colors;
     ASSERT_FALSE(colors.empty()) << name;
     for (const Color& c : colors) EXPECT_GT(c.green, c.red) << name;
-    seen += grower.dress().season.has_value();
+    seen += grower.appearance().season.has_value();
   }
   EXPECT_EQ(seen, 2) << "aspen and maple are filmed in autumn";
 }

@@ -52,14 +52,14 @@ class Woodland : public testing::Test {
   };
   static std::map<std::pair<float, float>, Seen> seen(double year) {
     std::map<std::pair<float, float>, Seen> all;
-    for (const SownStand& stand : scene->stands) {
-      if (!stand.organism.sown->size) continue;
-      const Copies& c = stand.copies;
+    for (const CopySet& set : scene->copy_sets) {
+      if (!set.organism.sown->size) continue;
+      const Copies& c = set.copies;
       for (std::size_t i = 0; i < c.size(); ++i) {
         if (!c.there(i, at(year))) continue;
         Seen& one = all[{c.foot[i].x, c.foot[i].z}];
-        one.height = c.scale_at(i, at(year)).y * stand.organism.sown->size->height;
-        one.crown = c.scale_at(i, at(year)).x * stand.organism.sown->size->crown;
+        one.height = c.scale_at(i, at(year)).y * set.organism.sown->size->height;
+        one.crown = c.scale_at(i, at(year)).x * set.organism.sown->size->crown;
         one.upright = (c.turn_at(i, at(year)) * Vec3(0, 1, 0)).y > 0.99f;
         ++one.copies;
       }
@@ -82,9 +82,9 @@ StandHistory* Woodland::history = nullptr;
 
 TEST_F(Woodland, PrunedTreesHaveAnotherModel) {
   auto stand_at = [](const TreeLife& life, double year) {
-    for (std::size_t k = 0; k < scene->stands.size(); ++k) {
-      const Copies& c = scene->stands[k].copies;
-      for (std::size_t i = 0; scene->stands[k].organism.sown->size && i < c.size(); ++i)
+    for (std::size_t k = 0; k < scene->copy_sets.size(); ++k) {
+      const Copies& c = scene->copy_sets[k].copies;
+      for (std::size_t i = 0; scene->copy_sets[k].organism.sown->size && i < c.size(); ++i)
         if (c.foot[i].x == life.x && c.foot[i].z == life.z && c.there(i, at(year)))
           return static_cast<int>(k);
     }
@@ -102,14 +102,14 @@ TEST_F(Woodland, PrunedTreesHaveAnotherModel) {
 }
 
 TEST_F(Woodland, ThePictureBrightensAsCrownsClose) {
-  const Animated<double>& closed = *scene->stage.closed;
+  const Animated<double>& closed = *scene->setup.closed;
   EXPECT_LT(closed.at(at(1)), 0.05);
   EXPECT_GT(closed.at(at(50)), 0.15);  // the camera stands at the edge
   EXPECT_LE(closed.at(at(50)), 1.0);
 }
 
 TEST_F(Woodland, DrawsEachLivingTreeOnceAsLargeAsItIs) {
-  EXPECT_TRUE(scene->check().empty()) << scene->check();
+  EXPECT_TRUE(scene->find_fault().empty()) << scene->find_fault();
   int drawn = 0;
   for (double year : {12.3, 40.1, 77.7, 99.9}) {
     auto all = seen(year);
@@ -176,9 +176,9 @@ TEST_F(Woodland, DeadTreesFallAndRot) {
 TEST_F(Woodland, WhatLikesShadeComesWithIt) {
   auto herbs = [&](double year) {
     int count = 0;
-    for (const SownStand& stand : scene->stands) {
-      if (stand.organism.sown->size) continue;
-      for (std::size_t i = 0; i < stand.copies.size(); ++i) count += stand.copies.there(i, at(year));
+    for (const CopySet& set : scene->copy_sets) {
+      if (set.organism.sown->size) continue;
+      for (std::size_t i = 0; i < set.copies.size(); ++i) count += set.copies.there(i, at(year));
     }
     return count;
   };
@@ -188,8 +188,8 @@ TEST_F(Woodland, WhatLikesShadeComesWithIt) {
 
 TEST_F(Woodland, IsOfModelsThatHaveGrownAboutAsTallAsTheyAreDrawn) {
   int compared = 0;
-  for (const SownStand& stand : scene->stands) {
-    Organism organism = stand.organism;
+  for (const CopySet& set : scene->copy_sets) {
+    Organism organism = set.organism;
     if (!organism.sown->size || organism.sown->size->height > 4) continue;
     double drawn = organism.sown->size->height;
     organism.sown->size.reset();

@@ -10,11 +10,11 @@
 namespace frond {
 namespace {
 
-Stage stage_of(std::string_view setting, double exposure = 0) {
-  Stage stage;
-  stage.setting = row_of(setting);
-  stage.camera.exposure = exposure;
-  return stage;
+SceneSetup setup_of(std::string_view setting, double exposure = 0) {
+  SceneSetup setup;
+  setup.setting = row_of(setting);
+  setup.camera.exposure = exposure;
+  return setup;
 }
 
 TEST(Settings, HaveNamesOfTheirOwnByWhichTheyAreFound) {
@@ -29,7 +29,7 @@ TEST(Settings, HaveNamesOfTheirOwnByWhichTheyAreFound) {
 TEST(Daylight, OfEachSettingIsLightThatCanBe) {
   for (const SettingRow& row : settings()) {
     SCOPED_TRACE(row.name);
-    Daylight light = daylight_of(stage_of(row.name));
+    Daylight light = daylight_of(setup_of(row.name));
     EXPECT_NEAR(glm::length(light.sun), 1, 1e-4);
     for (int c = 0; c < 3; ++c) {
       EXPECT_GT(light.sunlight[c], 0);
@@ -49,21 +49,21 @@ TEST(Daylight, OfEachSettingIsLightThatCanBe) {
 TEST(Hour, HasKeyframesByWhichTheSunMoves) {
   for (const char* name : {"meadow", "garden", "forest"}) {
     SCOPED_TRACE(name);
-    Stage stage = stage_of(name), noon = stage;
-    EXPECT_FALSE(sun_moves(stage));
+    SceneSetup setup = setup_of(name), noon = setup;
+    EXPECT_FALSE(sun_moves(setup));
     Animated<double> day(std::vector<Animated<double>::Key>{{0, 6}, {10, 20}}), at_noon(13.0);
-    stage.block<Meadow>().hour = stage.block<Garden>().hour = stage.block<Forest>().hour = day;
+    setup.block<Meadow>().hour = setup.block<Garden>().hour = setup.block<Forest>().hour = day;
     noon.block<Meadow>().hour = noon.block<Garden>().hour = noon.block<Forest>().hour = at_noon;
-    EXPECT_TRUE(sun_moves(stage));
-    auto height = [&](double time) { return drawn_daylight(stage_at(stage, time)).sun.y; };
+    EXPECT_TRUE(sun_moves(setup));
+    auto height = [&](double time) { return drawn_daylight(setup_at(setup, time)).sun.y; };
     EXPECT_LT(height(0), 0.3f);
     EXPECT_LT(height(10), 0.3f);
     EXPECT_NEAR(height(5), drawn_daylight(noon).sun.y, 1e-5);
     EXPECT_GT(height(5), 0.8f);
-    EXPECT_FALSE(sun_moves(stage_at(stage, 5)));
-    EXPECT_EQ(drawn_daylight(stage).sun, drawn_daylight(stage_at(stage, 0)).sun);
+    EXPECT_FALSE(sun_moves(setup_at(setup, 5)));
+    EXPECT_EQ(drawn_daylight(setup).sun, drawn_daylight(setup_at(setup, 0)).sun);
   }
-  EXPECT_FALSE(sun_moves(stage_of("underwater")));
+  EXPECT_FALSE(sun_moves(setup_of("underwater")));
 }
 
 TEST(Backdrop, GoesFromStopToStopWithoutJumps) {
@@ -76,7 +76,7 @@ TEST(Backdrop, GoesFromStopToStopWithoutJumps) {
 }
 
 TEST(Daylight, OfTheStudioFollowsTheExposure) {
-  Daylight plain = daylight_of(stage_of("studio")), bright = daylight_of(stage_of("studio", 1));
+  Daylight plain = daylight_of(setup_of("studio")), bright = daylight_of(setup_of("studio", 1));
   EXPECT_GT(bright.sunlight.x, 1.5f * plain.sunlight.x);
 }
 

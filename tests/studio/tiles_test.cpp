@@ -94,21 +94,21 @@ TEST(Tiles, OfAVesselAreUnrolledAndItsOwn) {
 }
 
 TEST(Tiles, OfABareFloorAreDrawnByItsMacroInItsColors) {
-  Stage stage;
+  SceneSetup setup;
   for (const char* setting : {"studio", "meadow", "garden", "forest"}) {
-    stage.setting = row_of(setting);
-    EXPECT_FALSE(tile_of(stage)) << "grass, litter or nothing is there";
+    setup.setting = row_of(setting);
+    EXPECT_FALSE(tile_of(setup)) << "grass, litter or nothing is there";
   }
-  stage.setting = row_of("underwater");
-  std::vector<Picture> drawn = *tile_drawing(stage, {.home = FROND_ROOT}).draw();
+  setup.setting = row_of("underwater");
+  std::vector<Picture> drawn = *tile_drawing(setup, {.home = FROND_ROOT}).draw();
   ASSERT_EQ(drawn.size(), 2u);
-  EXPECT_EQ(drawn[0].name, tile_of(stage)->colors);
+  EXPECT_EQ(drawn[0].name, tile_of(setup)->colors);
   Raster colors = *read_png(drawn[0].bytes);
   Vec3 mean(0);
   for (std::size_t i = 0; i < colors.data.size(); ++i)
     mean[static_cast<int>(i % 3)] +=
         static_cast<float>(linear(colors.data[i] / 255.0)) * 3 / static_cast<float>(colors.data.size());
-  Vec3 plain = linear(daylight_of(stage).ground);
+  Vec3 plain = linear(daylight_of(setup).ground);
   EXPECT_LT(glm::distance(mean, plain), 0.3f * glm::length(plain));
 }
 

@@ -119,7 +119,7 @@ TEST(World, HasLessLightUnderARoof) {
 
 TEST(World, KnowsWhatIsTaken) {
   TakenSpots spots;
-  spots.take({Vec2(1, 0), 0.5f});
+  spots.add({Vec2(1, 0), 0.5f});
   World world(Seed{1}, Heights(), 4, true, spots);
   EXPECT_TRUE(world.taken(Vec2(0.2f, 0), 0.4f));
   EXPECT_FALSE(world.taken(Vec2(0, 0), 0.4f));

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "appearance/skin_colors.h"
 #include "core/linear.h"
-#include "dress/skin_colors.h"
 #include "organisms/describe.h"
 #include "organisms/kinds.h"
 #include "preset/merge.h"
@@ -86,15 +86,15 @@ Result<GrownCoral> grow_first(const std::string& json, const std::string& name, 
   const Value* list = document->root.find("organisms");
   if (!list || list->items.empty())
     return Error{name, "its first organism is no coral; expected one to grow here"};
-  Faults doubts;
-  Result<Corals> corals = read_preset<Corals>(*document, &doubts);
+  Faults warnings;
+  Result<Corals> corals = read_preset<Corals>(*document, &warnings);
   if (!corals) return corals.errors();
   const Organism& first = corals->organisms[0];
   const auto& grower = static_cast<const LoneGrower&>(*first.grower);
   Review review = grower.review();
   if (!review.faults.empty()) return placed_in(document->root, review.faults);
-  GrownCoral grown{json, share, doubts.errors(), {}, {}, {}};
-  for (Error& doubt : placed_in(document->root, review.doubts)) grown.notes.push_back(std::move(doubt));
+  GrownCoral grown{json, share, warnings.errors(), {}, {}, {}};
+  for (Error& warning : placed_in(document->root, review.warnings)) grown.notes.push_back(std::move(warning));
   if (corals->organisms.size() > 1)
     grown.notes.push_back(
         {name, fmt::format("only the first of {} organisms is grown here", corals->organisms.size())});
@@ -105,8 +105,8 @@ Result<GrownCoral> grow_first(const std::string& json, const std::string& name, 
   const auto& used = static_cast<const LoneGrower&>(rough ? *rough : *first.grower);
   Result<Model> model = used.grow_alone(planting.child("grow"));
   if (!model) return placed_in(document->root, model.errors());
-  Dress dress = first.grower->dress();
-  grown.look = dress.look;
+  Appearance appearance = first.grower->appearance();
+  grown.look = appearance.look;
   grown.model = std::move(*model);
   if (!grown.model.solids.shapes.empty()) grown.material = grown.model.solids.shapes[0].material;
   if (const std::optional<Skin>& skin = grown.look.branches.skin)

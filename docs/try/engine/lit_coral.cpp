@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "accretion/openness.h"
+#include "appearance/skin_colors.h"
 #include "core/bounds.h"
 #include "core/linear.h"
-#include "dress/skin_colors.h"
 #include "try/engine/answers.h"
 #include "try/engine/lit_tree.h"
 
@@ -24,13 +24,13 @@ class Open {
  public:
   Open(const Bounds& box, float cell) : grid_(box.low, box.high, cell) {}
 
-  void take(const Surface& surface) {
+  void add_surface(const Surface& surface) {
     for (const auto& [a, b, c] : surface.triangle) {
       Vec3 p = surface.position[a], q = surface.position[b], r = surface.position[c];
       grid_.add((p + q + r) / 3.0f, glm::length(glm::cross(q - p, r - p)) / 2);
     }
   }
-  void take_segment(Vec3 from, Vec3 to, float radius) {
+  void add_segment(Vec3 from, Vec3 to, float radius) {
     // As wide as it is seen.
     grid_.add((from + to) * 0.5f, 2 * radius * glm::distance(from, to));
   }
@@ -109,11 +109,11 @@ LitCoral lit_coral(const Model& model, const Look& look, float grown) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     Surface body = bodies.shapes[bodies.shape[i]].surface;
     for (Vec3& at : body.position) at = bodies.placed(i, at);
-    open.take(body);
+    open.add_surface(body);
     surfaces.push_back(std::move(body));
   }
   for (const Twig& twig : twigs)
-    open.take_segment(model.skeleton.position[twig.below], twig.tip, twig.at_foot);
+    open.add_segment(model.skeleton.position[twig.below], twig.tip, twig.at_foot);
   open.build();
 
   for (std::size_t i = 0; i < surfaces.size(); ++i)

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "dress/dress.h"
+#include "appearance/appearance.h"
 #include "model/model.h"
 
 namespace frond {

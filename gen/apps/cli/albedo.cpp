@@ -35,9 +35,9 @@ Result<Albedo> Albedo::of(Scene& scene, const fs::path& folder) {
 
 /// Sharp, as rays through the middles of pixels see it.
 Errors Albedo::write_scene(int frame) const {
-  auto aperture = std::exchange(scene_.stage.camera.aperture, std::nullopt);
+  auto aperture = std::exchange(scene_.setup.camera.aperture, std::nullopt);
   Result<FrameFile> written = write_frame_file(scene_, parts_, layout_, folder_, frame);
-  scene_.stage.camera.aperture = aperture;
+  scene_.setup.camera.aperture = aperture;
   return written ? Errors{} : written.errors();
 }
 

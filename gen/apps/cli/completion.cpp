@@ -20,26 +20,27 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Words = std::vector<std::string>;
+using Strings = std::vector<std::string>;
 
 /// Names of the presets that come with Frond.
-Words preset_names() {
-  Words names;
+Strings preset_names() {
+  Strings names;
   for (const fs::path& file : files_below(home_folder() / "presets"))
     if (file.extension() == ".json" && file.parent_path().filename() != "grammars")
       names.push_back(file.stem().string());
   return names;
 }
 
-Words kind_names() {
-  Words names;
+Strings kind_names() {
+  Strings names;
   for (const auto& row : organism_kinds()) names.emplace_back(row.name);
   return names;
 }
 
 /// What a path of the documentation is called in a preset: `tree/habit/pace` of the second organism
 /// `/organisms/1/habit/pace`; `all` are the names of kinds, `kinds` those of the organisms in their order.
-void add_pointers(const Topic& topic, const Words& all, const Words& kinds, std::set<std::string>& pointers) {
+void add_pointers(const Topic& topic, const Strings& all, const Strings& kinds,
+                  std::set<std::string>& pointers) {
   std::size_t slash = topic.path.find('/');
   std::string head = topic.path.substr(0, slash);
   bool of_all = head == "organism";
@@ -53,8 +54,8 @@ void add_pointers(const Topic& topic, const Words& all, const Words& kinds, std:
 }
 
 /// JSON pointers of what can be set of the preset among the words; without one, of a preset with no organism.
-Words pointers_in(const Words& words) {
-  Words kinds;
+Strings pointers_in(const Strings& words) {
+  Strings kinds;
   for (const std::string& word : words) {
     std::optional<fs::path> shipped = shipped_preset(word);
     Result<std::string> text = read_file(shipped.value_or(fs::path(word)));
@@ -68,33 +69,33 @@ Words pointers_in(const Words& words) {
     break;
   }
   std::set<std::string> pointers;
-  const Words all = kind_names();
+  const Strings all = kind_names();
   for (const Topic& topic : topics_of(preset_schema())) add_pointers(topic, all, kinds, pointers);
-  Words list;
+  Strings list;
   for (const std::string& pointer : pointers) list.push_back(pointer + "=");
   return list;
 }
 
 /// The values of an option that are known by their names.
-Words values_of(const std::string& option, const Words& words) {
+Strings values_of(const std::string& option, const Strings& words) {
   if (option == "--set" || option == "--sweep") return pointers_in(words);
   if (option == "--quality") return {"draft", "good", "best"};
   if (option == "--format") return {std::begin(kFilmFormats), std::end(kFilmFormats)};
   if (option != "--from") return {};
-  Words names = preset_names();
+  Strings names = preset_names();
   std::ranges::move(kind_names(), std::back_inserter(names));
   return names;
 }
 
-Words options_of(const CLI::App& command) {
-  Words names;
+Strings options_of(const CLI::App& command) {
+  Strings names;
   for (const CLI::Option* option : command.get_options())
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   return names;
 }
 
-Words commands_of(const CLI::App& app) {
-  Words names;
+Strings commands_of(const CLI::App& app) {
+  Strings names;
   for (const CLI::App* command : app.get_subcommands({}))
     if (!command->get_group().empty()) names.push_back(command->get_name());
   return names;
@@ -106,7 +107,7 @@ bool takes_value(const CLI::App& command, const std::string& word) {
   return option && option->get_items_expected_max() > 0;
 }
 
-Words candidates(const CLI::App& app, const Words& words) {
+Strings candidates(const CLI::App& app, const Strings& words) {
   if (words.size() < 2) return commands_of(app);
   auto named = [&](const CLI::App* one) { return one->get_name() == words[0]; };
   std::vector<const CLI::App*> commands = app.get_subcommands(named);
@@ -116,7 +117,7 @@ Words candidates(const CLI::App& app, const Words& words) {
   if (takes_value(*command, before)) return values_of(before, words);
   if (words.back().starts_with('-')) return options_of(*command);
   if (words[0] == "describe") return kind_names();
-  return command->get_option_no_throw("preset") ? preset_names() : Words{};
+  return command->get_option_no_throw("preset") ? preset_names() : Strings{};
 }
 
 constexpr const char* kBash = R"(# Completion of frond in bash: `source <(frond completion bash)`
@@ -148,8 +149,8 @@ complete -c frond -a '(set -l words (commandline -opc) (commandline -ct); $words
 
 }  // namespace
 
-std::vector<std::string> completions(const CLI::App& app, const Words& words) {
-  Words found = candidates(app, words);
+std::vector<std::string> completions(const CLI::App& app, const Strings& words) {
+  Strings found = candidates(app, words);
   std::erase_if(found, [&](const std::string& word) { return !word.starts_with(words.back()); });
   std::ranges::sort(found);
   found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -161,7 +162,7 @@ std::string completion_script(const std::string& shell) {
 }
 
 void add_completion(CLI::App& app, int& result) {
-  auto words = std::make_shared<Words>();
+  auto words = std::make_shared<Strings>();
   auto* complete = app.add_subcommand("complete", "What may stand in place of the last word, for shells");
   complete->add_option("words", *words, "The words behind the program's name, the last begun");
   complete->callback([&app, &result, words] {

@@ -39,19 +39,19 @@ Result<MacroFiles> read_macros() {
 
 /// Grows the models of what is sown.
 Errors grow_models(IncludeVariant& variant) {
-  std::vector<ModelFile> files = variant.plans.front().files;  // by stand, model and level
+  std::vector<ModelFile> files = variant.plans.front().files;  // by copy set, model and level
   variant.models.resize(files.size());
   std::vector<Errors> errors(files.size());
   parallel_for(files.size(), [&](std::size_t i) {
     auto same = [&](std::size_t k) {
-      return files[k].stand == files[i].stand && files[k].model == files[i].model;
+      return files[k].copy_set == files[i].copy_set && files[k].model == files[i].model;
     };
     if (i > 0 && same(i - 1)) return;
-    const SownStand& stand = variant.scene.stands[files[i].stand];
-    Result<Model> model = grow_copy(stand.organism, files[i].model);
+    const CopySet& set = variant.scene.copy_sets[files[i].copy_set];
+    Result<Model> model = grow_copy(set.organism, files[i].model);
     if (!model) errors[i] = model.errors();
     for (std::size_t k = i; model && k < files.size() && same(k); ++k) {
-      ModelText text = model_texts({files[k]}, stand, *model, {})[0];
+      ModelText text = model_texts({files[k]}, set, *model, {})[0];
       files[k].parts = text.parts;
       variant.models[k] = text.title + text.body;
     }
@@ -67,7 +67,7 @@ Result<IncludeVariant> grow_variant(const Preset& preset, const fs::path& out) {
   Preset bare = preset;
   // What is sown follows the land; all else stands on flat ground.
   auto sown = [](const Organism& organism) { return organism.sown.has_value(); };
-  if (std::ranges::none_of(preset.organisms, sown)) bare.stage.setting = row_of("studio");
+  if (std::ranges::none_of(preset.organisms, sown)) bare.setup.setting = row_of("studio");
   Result<Scene> scene = build_scene(bare);
   if (!scene) return scene.errors();
   IncludeVariant variant = include_variant(std::move(*scene));

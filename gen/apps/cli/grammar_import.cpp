@@ -85,7 +85,7 @@ Value looks_of(const GrammarText& g, const Figure& figure) {
 
 Bounds box_of(const Figure& figure) {
   Bounds box = bounds_of(figure.skeleton.position);
-  for (const Outline& outline : figure.outlines) box.take(bounds_of(outline.points));
+  for (const Outline& outline : figure.outlines) box.extend(bounds_of(outline.points));
   return box;
 }
 

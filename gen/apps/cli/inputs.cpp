@@ -67,10 +67,10 @@ Result<std::optional<fs::path>> assets_folder(const std::optional<std::string>& 
 /// The size that `--size` asks for, as what sets it.
 Result<std::string> asked_size(const std::string& asked) {
   std::string_view rest = asked;
-  int width = take_whole(rest);
+  int width = consume_whole(rest);
   bool cross = !rest.empty() && rest.front() == 'x';
   if (cross) rest.remove_prefix(1);
-  int height = take_whole(rest);
+  int height = consume_whole(rest);
   if (!cross || width == 0 || height == 0 || !rest.empty())
     return Error{"--size", fmt::format("\"{}\" is no size; expected WIDTHxHEIGHT, as in 640x360", asked)};
   if (!kSides.holds(width) || !kSides.holds(height))

@@ -5,7 +5,7 @@
 #include "cli/commands.h"
 #include "core/result.h"
 #include "pipeline/out_folder.h"
-#include "settings/stage.h"
+#include "settings/scene_setup.h"
 
 // What is asked for is judged before anything is grown or rendered: options that do not go with each other,
 // with the preset, or with what there is on the disk.

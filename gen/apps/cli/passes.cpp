@@ -38,7 +38,7 @@ int passes(const PassesArguments& arguments) {
     if (!made) return fail(made.errors(), kCouldNot);
     albedo.emplace(std::move(*made));
   }
-  const Camera& camera = run.scene->stage.camera;
+  const Camera& camera = run.scene->setup.camera;
   float middle = std::max(glm::distance(camera.location.at(0), camera.look_at.at(0)), 1e-3f);
   now_doing("tracing frames");
   for (int frame = run.range.first; frame <= run.range.last; ++frame) {

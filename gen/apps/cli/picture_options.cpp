@@ -17,7 +17,7 @@ constexpr double kUsualDpi = 300;
 constexpr Range kDpi{.min = 1, .max = 10000};
 
 /// Takes a number above 0 off the front of a text; 0 where there is none.
-double take_length(std::string_view& text) {
+double consume_length(std::string_view& text) {
   double number = 0;
   auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc{} || !(number > 0)) return 0;
@@ -25,7 +25,7 @@ double take_length(std::string_view& text) {
   return number;
 }
 
-bool take_sign(std::string_view& text, std::string_view sign) {
+bool consume_sign(std::string_view& text, std::string_view sign) {
   if (!text.starts_with(sign)) return false;
   text.remove_prefix(sign.size());
   return true;
@@ -37,22 +37,22 @@ double inches(std::string_view unit) {
 }
 
 /// Takes a number of pixels, or per cent of `whole`, off the front of a text; negative where there is none.
-int take_pixels(std::string_view& text, int whole) {
+int consume_pixels(std::string_view& text, int whole) {
   double number = -1;
   auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc{} || !(number >= 0 && number <= 1e6)) return -1;
   text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  if (take_sign(text, "%")) number *= whole / 100.0;
+  if (consume_sign(text, "%")) number *= whole / 100.0;
   return static_cast<int>(std::lround(number));
 }
 
 Result<PixelRect> asked_crop(const std::string& asked, const std::array<int, 2>& size) {
   PixelRect crop;
   std::string_view rest = asked;
-  bool good = (crop.x = take_pixels(rest, size[0])) >= 0 && take_sign(rest, ",") &&
-              (crop.y = take_pixels(rest, size[1])) >= 0 && take_sign(rest, ",") &&
-              (crop.width = take_pixels(rest, size[0])) >= 0 && take_sign(rest, "x") &&
-              (crop.height = take_pixels(rest, size[1])) >= 0 && rest.empty();
+  bool good = (crop.x = consume_pixels(rest, size[0])) >= 0 && consume_sign(rest, ",") &&
+              (crop.y = consume_pixels(rest, size[1])) >= 0 && consume_sign(rest, ",") &&
+              (crop.width = consume_pixels(rest, size[0])) >= 0 && consume_sign(rest, "x") &&
+              (crop.height = consume_pixels(rest, size[1])) >= 0 && rest.empty();
   if (!good)
     return Error{"--crop",
                  fmt::format("\"{}\" is no part of a picture; expected X,Y,WIDTHxHEIGHT in pixels or per "
@@ -72,7 +72,7 @@ Result<std::string> printed_size(const PresetArguments& arguments, const Film& f
     return Error{"--print", fmt::format("says the size, as {} does; expected one of the two",
                                         arguments.size ? "--size" : "--scale")};
   std::string_view rest = *arguments.print;
-  double first = take_length(rest), second = take_sign(rest, "x") ? take_length(rest) : -1,
+  double first = consume_length(rest), second = consume_sign(rest, "x") ? consume_length(rest) : -1,
          unit = inches(rest);
   if (first == 0 || second == 0 || unit == 0)
     return Error{"--print",

@@ -4,7 +4,7 @@
 
 #include "cli/commands.h"
 #include "core/result.h"
-#include "settings/stage.h"
+#include "settings/scene_setup.h"
 
 namespace frond {
 

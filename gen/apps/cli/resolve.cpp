@@ -83,7 +83,7 @@ class RawRows {
     return rows;
   }
 
-  Result<LightPicture> take(int first, int count) {
+  Result<LightPicture> read(int first, int count) {
     auto wide = static_cast<std::size_t>(png_->width());
     kept_.erase(kept_.begin(),
                 kept_.begin() + static_cast<std::ptrdiff_t>(wide * static_cast<std::size_t>(first - first_)));
@@ -144,12 +144,12 @@ Result<std::string> large_still(Resolver& resolver, const fs::path& raw, const F
   if (!rows) return rows.errors();
   PngWriter writer({film.size[0], film.size[1], 3, film.depth == 16 ? 16 : 8, 45455, {}});
   Errors errors =
-      resolver.still_in_bands([&](int first, int count) { return rows->take(first, count); }, band,
+      resolver.still_in_bands([&](int first, int count) { return rows->read(first, count); }, band,
                               [&](const LightPicture& light) {
                                 writer.add(seen_rows(light, film, tone));
                                 return Errors{};
                               });
-  return errors.empty() ? writer.take() : Result<std::string>(errors);
+  return errors.empty() ? writer.finish() : Result<std::string>(errors);
 }
 
 /// Rows of a still that are resolved at a time; 0: all of it. Through a lens samples come from all over the
@@ -157,7 +157,7 @@ Result<std::string> large_still(Resolver& resolver, const fs::path& raw, const F
 int band_of(const Scene& scene) {
   constexpr double kBand = kResolvedWhole / 4;  // samples
   auto [width, height] = scene.film.drawn_size();
-  if (scene.film.frames > 1 || scene.stage.camera.aperture ||
+  if (scene.film.frames > 1 || scene.setup.camera.aperture ||
       static_cast<double>(width) * height <= kResolvedWhole)
     return 0;
   return std::max(16, static_cast<int>(kBand / width * scene.film.size[1] / height));
@@ -172,7 +172,7 @@ ResolveOptions options_for(const Scene& scene, const ResolveArguments& arguments
   options.window = arguments.window, options.reach = arguments.reach;
   if (scene.film.frames == 1) options.side = kStillSide;
   options.side = arguments.side.value_or(options.side);
-  if (has_pictures(scene.stage)) {
+  if (has_pictures(scene.setup)) {
     options.fade = std::min(options.fade, kMovingFade * scene.film.fps);
     options.clip = kMovingClip;
   }
@@ -204,7 +204,7 @@ int resolve(const ResolveArguments& arguments) {
   if (!traced) return fail(traced.errors(), kCouldNot);
   auto source = [&](int frame) { return read_raw(raws / (frame_name(frame) + ".png"), scene->film); };
   Resolver resolver(*scene, *traced, source, options_for(*scene, arguments));
-  const Camera& camera = scene->stage.camera;
+  const Camera& camera = scene->setup.camera;
   Tone tone{camera.highlights, camera.contrast};
   auto picture = [&](int frame) -> Result<std::string> {
     if (int band = band_of(*scene))

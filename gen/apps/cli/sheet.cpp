@@ -39,14 +39,14 @@ struct Sweep {
   std::vector<std::string> values;
 };
 
-bool take_number(std::string_view& text, double& number) {
+bool consume_number(std::string_view& text, double& number) {
   auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc{} || !std::isfinite(number)) return false;
   text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   return true;
 }
 
-bool take_colon(std::string_view& text) {
+bool consume_colon(std::string_view& text) {
   if (!text.starts_with(':')) return false;
   text.remove_prefix(1);
   return true;
@@ -64,9 +64,9 @@ Result<Sweep> read_sweep(const std::string& text) {
   std::size_t equals = text.rfind('=');
   double from = 0, to = 0, count = 0;
   std::string_view rest = std::string_view(text).substr(equals == text.npos ? text.size() : equals + 1);
-  if (text.starts_with('/') && take_number(rest, from) && take_colon(rest) && take_number(rest, to) &&
-      take_colon(rest) && take_number(rest, count) && rest.empty() && count >= 1 && count <= kMost &&
-      count == std::floor(count))
+  if (text.starts_with('/') && consume_number(rest, from) && consume_colon(rest) &&
+      consume_number(rest, to) && consume_colon(rest) && consume_number(rest, count) && rest.empty() &&
+      count >= 1 && count <= kMost && count == std::floor(count))
     return sweep_of(text.substr(0, equals), from, to, static_cast<int>(count));
   return Error{
       "",

@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
+#include "appearance/bark_coat.h"
 #include "cli/commands.h"
 #include "cli/inputs.h"
 #include "cli/streams.h"
 #include "core/files.h"
 #include "core/parallel.h"
 #include "core/printable.h"
-#include "dress/bark_coat.h"
 #include "images/bark.h"
 #include "images/leaf.h"
 
@@ -23,9 +23,9 @@ class Album {
 
   void add(const std::string& name, const Raster& raster) {
     Result<std::string> bytes = png_text(raster);
-    if (!bytes) return take(bytes.errors());
+    if (!bytes) return add_errors(bytes.errors());
     Result<bool> written = write_file(folder_ / (name + ".png"), *bytes);
-    if (!written) return take(written.errors());
+    if (!written) return add_errors(written.errors());
     if (!quiet_) put((folder_ / (name + ".png")).string() + "\n");
   }
 
@@ -54,7 +54,7 @@ class Album {
   const Errors& errors() const { return errors_; }
 
  private:
-  void take(const Errors& errors) { errors_.insert(errors_.end(), errors.begin(), errors.end()); }
+  void add_errors(const Errors& errors) { errors_.insert(errors_.end(), errors.begin(), errors.end()); }
 
   fs::path folder_;
   bool quiet_;
@@ -93,7 +93,7 @@ int write_textures(const TextureArguments& arguments) {
   tell_notes(preset->notes);
   bool any = false;
   for (std::size_t i = 0; i < preset->organisms.size(); ++i) {
-    Look look = preset->organisms[i].grower->dress().look;
+    Look look = preset->organisms[i].grower->appearance().look;
     if (!look.leaves && !look.branches.coat) continue;
     any = true;
     const std::string& own = preset->organisms[i].name;

@@ -28,7 +28,7 @@ Result<Swatch> coat_swatch(const BarkCoat& coat, SmallScene& scene) {
 }
 
 Result<Swatch> swatch_of(const Organism& organism, SmallScene& scene) {
-  BranchLook branches = organism.grower->dress().look.branches;
+  BranchLook branches = organism.grower->appearance().look.branches;
   if (branches.coat) return coat_swatch(*branches.coat, scene);
   if (branches.patterned()) return skin_swatch(branches, 0, kBallPixels);
   Result<Model> grown = organism.grower->grow_copy(organism, Seed{1});

@@ -137,7 +137,7 @@ void Connections::turn(int ends) {
   for (std::size_t i = 0; i < each.size(); ++i)
     if (files[i + 3].revents != 0) look_after(each[i]);
   hold_less();
-  if (files[1].revents != 0) take_back();
+  if (files[1].revents != 0) resume();
   if (files[2].revents != 0) accept_all();
   close_late();
 }
@@ -167,7 +167,7 @@ void Connections::make_room() {
   waiting_.erase(oldest);
 }
 
-void Connections::take_back() {
+void Connections::resume() {
   std::uint64_t count = 0;
   (void)!::read(wake_, &count, sizeof count);
   std::vector<Connection> back;

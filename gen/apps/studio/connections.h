@@ -83,7 +83,7 @@ class Connections : public httplib::Server {
 
   void turn(int ends);
   void accept_all();
-  void take_back();
+  void resume();
   void make_room();
   void look_after(Waiting::iterator connection);
   bool hear(Connection& connection);

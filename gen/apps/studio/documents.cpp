@@ -38,7 +38,7 @@ bool lies_below(const fs::path& path, const fs::path& folder) {
 }
 
 /// What follows the last colon of a text, as a number; 0 where that is none. The text loses it.
-int take_number(std::string& text) {
+int split_number(std::string& text) {
   std::size_t colon = text.rfind(':');
   if (colon == text.npos) return 0;
   int number = 0;
@@ -293,7 +293,7 @@ Json errors_json(const Errors& errors) {
     } else if (where.starts_with('/')) {
       std::swap(where, pointer);
     }
-    int column = take_number(where), line = take_number(where);
+    int column = split_number(where), line = split_number(where);
     if (line == 0) std::swap(line, column);
     list.push_back({{"text", error.what},
                     {"where", error.where},

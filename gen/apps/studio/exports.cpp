@@ -67,7 +67,7 @@ Json export_size(const Scene& scene, const ExportOrder& order) {
   Json triangles = Json::array();
   for (int level = 0; level < order.levels; ++level) triangles.push_back(first * std::pow(kCoarser, level));
   std::size_t sown = 0;
-  for (const SownStand& stand : scene.stands) sown += stand.copies.size();
+  for (const CopySet& set : scene.copy_sets) sown += set.copies.size();
   double bytes = kVertexBytes * size.vertices + kTriangleBytes * size.triangles + kShiftBytes * size.shifts +
                  size.pictures;
   return {{"triangles", triangles}, {"vertices", size.vertices}, {"bytes", bytes}, {"sown", sown}};

@@ -146,7 +146,7 @@ Result<std::string> Renders::begin(Doc doc, double time, std::array<int, 2> size
       doc, {fmt::format("/film/size=[{},{}]", size[0], size[1]), "/film/quality=\"" + quality + "\""});
   if (!preset) return preset.errors();
   job->title = preset->title, job->seed = preset->seed;
-  job->lens = preset->stage.camera.aperture.has_value();
+  job->lens = preset->setup.camera.aperture.has_value();
   job->frame = frame_at(preset->film, time);
   job->preset = std::move(*preset);
   job->doc = std::move(doc);
@@ -263,7 +263,7 @@ Errors Renders::write(Job& job) {
   for (const Picture& file : parts.files)
     if (Result<bool> written = write_file(frames / file.name, file.bytes); !written) return written.errors();
   if (Errors errors = write_light(scene, parts, frames); !errors.empty()) return errors;
-  int count = exposures(scene.film, scene.stage.camera);
+  int count = exposures(scene.film, scene.setup.camera);
   for (int exposure = 1; exposure <= count && !job.cancelled; ++exposure) {
     Result<FrameFile> written =
         write_frame_file(scene, parts, *layout, frames, job.frame, count > 1 ? exposure : 0);

@@ -99,7 +99,7 @@ ViewRequest request_of(const Json& question) {
 Scenes::Scenes(const Documents& documents, std::size_t memory, BakeOptions bake)
     : documents_(documents),
       bake_(std::move(bake)),
-      room_(std::make_shared<CacheBudget>(memory)),
+      budget_(std::make_shared<CacheBudget>(memory)),
       drawings_(kDrawings * kDrawing) {}
 
 Scenes::Hurry Scenes::hurry_of(const Json& question) {
@@ -197,13 +197,13 @@ void Scenes::add_tiles(const Scene& scene) {
       keep(tile_of(look, look.color_of(k)), kDrawing,
            [&] { return tile_drawing(look, bake_, look.color_of(k)); });
   };
-  add(scene.stage, kDrawing);
+  add(scene.setup, kDrawing);
   for (const Specimen& specimen : scene.specimens) {
     if (specimen.model.skeleton.size() > 1) add_barks(specimen.look.branches);
     for (const Solid& solid : specimen.model.solids.shapes)
       add(solid, kDrawing + (is_vessel(solid) ? bytes_of(solid.surface) : 0));
   }
-  for (const SownStand& stand : scene.stands) add_barks(stand.dress.look.branches);
+  for (const CopySet& set : scene.copy_sets) add_barks(set.appearance.look.branches);
 }
 
 Result<std::shared_ptr<const Scene>> Scenes::scene(const Doc& doc, Preset preset,
@@ -253,13 +253,13 @@ Result<std::string> Scenes::moment(const Doc& doc, double time) {
 }
 
 void Scenes::tidy() {
-  tidied_at_ = sent_ + room_->given_up();
+  tidied_at_ = sent_ + budget_->evicted();
   malloc_trim(0);
 }
 
 void Scenes::tidy_at_times(std::size_t sent) {
   sent_ += sent;
-  if (sent_ + room_->given_up() - tidied_at_ > kWorthTidying) tidy();
+  if (sent_ + budget_->evicted() - tidied_at_ > kWorthTidying) tidy();
 }
 
 Answer Scenes::view(const Doc& doc, const Json& question, const std::string& name, std::uint64_t number) {

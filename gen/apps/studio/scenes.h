@@ -46,7 +46,7 @@ class Scenes {
   /// Gives memory that was freed back to the system. For after what has taken much, as a render.
   void tidy();
   /// Bytes that are kept.
-  std::size_t kept() const { return room_->taken(); }
+  std::size_t kept() const { return budget_->used(); }
   /// How far the growing is that a session waits for: `{"done", "of"}` organisms.
   Json progress(const std::string& session);
   /// Nobody waits for the answer to that question of a session any more.
@@ -116,13 +116,13 @@ class Scenes {
 
   const Documents& documents_;
   BakeOptions bake_;
-  std::shared_ptr<CacheBudget> room_;
-  SpecimenCache cache_{room_};
-  ViewCache models_{room_};
-  LruCache<Built> built_{room_};
-  LruCache<PosedScene> posed_{room_};
-  LruCache<Traceable> traced_{room_};
-  LruCache<std::string> pictures_{room_};
+  std::shared_ptr<CacheBudget> budget_;
+  SpecimenCache cache_{budget_};
+  ViewCache models_{budget_};
+  LruCache<Built> built_{budget_};
+  LruCache<PosedScene> posed_{budget_};
+  LruCache<Traceable> traced_{budget_};
+  LruCache<std::string> pictures_{budget_};
   LruCache<Drawing> drawings_;                       // by the names of their pictures
   std::atomic<std::size_t> sent_{0}, tidied_at_{0};  // bytes, see tidy_at_times()
   std::mutex looking_;                               // one at a time

@@ -46,9 +46,9 @@ Material shared(const Material& own) {
 }
 
 /// A piece of a setting's floor, as seen from above.
-std::optional<Swatch> floor_swatch(const Stage& stage) {
+std::optional<Swatch> floor_swatch(const SceneSetup& setup) {
   constexpr double kWide = 3;  // metres: ripples show, and the same comes again seldom
-  std::optional<FloorTexture> floor = floor_texture(stage);
+  std::optional<FloorTexture> floor = floor_texture(setup);
   if (!floor) return std::nullopt;
   Swatch swatch;
   swatch.includes = floor->includes;
@@ -119,8 +119,8 @@ std::optional<Tile> tile_of(const BranchLook& branches, std::size_t color) {
   return tile;
 }
 
-std::optional<Tile> tile_of(const Stage& stage) {
-  std::optional<Swatch> swatch = floor_swatch(stage);
+std::optional<Tile> tile_of(const SceneSetup& setup) {
+  std::optional<Swatch> swatch = floor_swatch(setup);
   if (!swatch) return std::nullopt;
   Tile tile = named(swatch_scene(*swatch));
   tile.wide = tile.high = swatch->wide;
@@ -139,9 +139,9 @@ std::optional<Drawing> sky_drawing(const Scene& scene, const BakeOptions& option
                  }};
 }
 
-Drawing tile_drawing(const Stage& stage, const BakeOptions& options) {
-  return drawing_of(*tile_of(stage),
-                    [swatch = *floor_swatch(stage), options] { return bake(swatch, kRough, options); });
+Drawing tile_drawing(const SceneSetup& setup, const BakeOptions& options) {
+  return drawing_of(*tile_of(setup),
+                    [swatch = *floor_swatch(setup), options] { return bake(swatch, kRough, options); });
 }
 
 Drawing tile_drawing(const Material& material, const BakeOptions& options) {

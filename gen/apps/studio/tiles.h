@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "appearance/appearance.h"
 #include "bake/bake.h"
-#include "dress/dress.h"
 #include "scene/scene.h"
 #include "studio/packet.h"
 
@@ -29,13 +29,13 @@ std::optional<Tile> tile_of(const Solid& body);
 std::optional<Tile> tile_of(const BranchLook& branches, std::size_t color = 0);
 
 /// The tile of a setting's floor that nothing covers; it repeats. None of any other floor.
-std::optional<Tile> tile_of(const Stage& stage);
+std::optional<Tile> tile_of(const SceneSetup& setup);
 
 /// Draws the upper half of a scene's sky, where that stays, see emit/setting.h.
 std::optional<Drawing> sky_drawing(const Scene& scene, const BakeOptions& options);
 
 /// Draws both pictures of what has some.
-Drawing tile_drawing(const Stage& stage, const BakeOptions& options);
+Drawing tile_drawing(const SceneSetup& setup, const BakeOptions& options);
 Drawing tile_drawing(const Material& material, const BakeOptions& options);
 Drawing tile_drawing(const Solid& body, const BakeOptions& options);
 Drawing tile_drawing(const BranchLook& branches, const BakeOptions& options, std::size_t color = 0);

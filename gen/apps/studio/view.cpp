@@ -87,13 +87,13 @@ void add_lists(Json& header, const Scene& scene, const Preset& preset) {
       std::size_t number = count[s.entry]++;
       const Organism& organism = preset.organisms[s.entry];
       if (number < organism.place.at.size() && !organism.grower->traits().creeps()) one["placed"] = number;
-      if (!boxes[i].empty()) of_entry[s.entry].take(boxes[i].low), of_entry[s.entry].take(boxes[i].high);
+      if (!boxes[i].empty()) of_entry[s.entry].extend(boxes[i].low), of_entry[s.entry].extend(boxes[i].high);
     }
     specimens.push_back(std::move(one));
   }
-  for (const SownStand& stand : scene.stands) {
-    copies[stand.entry] += stand.copies.size();
-    for (const Vec3& foot : stand.copies.foot) of_entry[stand.entry].take(foot);
+  for (const CopySet& set : scene.copy_sets) {
+    copies[set.entry] += set.copies.size();
+    for (const Vec3& foot : set.copies.foot) of_entry[set.entry].extend(foot);
   }
   Json entries = Json::array();
   for (std::size_t e = 0; e < preset.organisms.size(); ++e) {
@@ -154,7 +154,7 @@ void add_ground(const Scene& scene, const Daylight& light, std::vector<DrawnPart
     add(scene.ground->floor(), floor);
     if (auto colors = floor_colors(scene, light.ground, floor); !colors.empty())
       parts.back().add("/colors", colors);
-    if (std::optional<Tile> tile = tile_of(scene.stage))
+    if (std::optional<Tile> tile = tile_of(scene.setup))
       parts.back().head["material"]["tile"] = json_of(*tile);
   } else {
     constexpr float kHalf = 60;  // metres
@@ -258,11 +258,11 @@ std::array<std::uint8_t, 4> tint_bytes(const TintShift& shift) {
 
 Errors add_copies(const Scene& scene, const ViewRequest& request, ViewCache& models,
                   std::vector<DrawnPart>& parts) {
-  std::vector<std::pair<const SownStand*, int>> wanted;
-  for (const SownStand& stand : scene.stands)
-    if (request.shows(stand.entry)) {
-      std::set<int> used(stand.copies.model.begin(), stand.copies.model.end());
-      for (int which : used) wanted.emplace_back(&stand, which);
+  std::vector<std::pair<const CopySet*, int>> wanted;
+  for (const CopySet& set : scene.copy_sets)
+    if (request.shows(set.entry)) {
+      std::set<int> used(set.copies.model.begin(), set.copies.model.end());
+      for (int which : used) wanted.emplace_back(&set, which);
     }
   std::vector<Result<std::shared_ptr<const DrawnPart>>> grown(wanted.size(),
                                                               std::shared_ptr<const DrawnPart>{});
@@ -270,21 +270,21 @@ Errors add_copies(const Scene& scene, const ViewRequest& request, ViewCache& mod
                [&](std::size_t i) { grown[i] = models.model(*wanted[i].first, wanted[i].second); });
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     if (!grown[i]) return grown[i].errors();
-    const auto& [stand, which] = wanted[i];
+    const auto& [set, which] = wanted[i];
     DrawnPart part = **grown[i];
     std::vector<float> places;
     std::vector<std::uint8_t> tints;
-    const Copies& c = stand->copies;
+    const Copies& c = set->copies;
     for (std::size_t k = 0; k < c.size(); ++k) {
       if (c.model[k] != which || !c.there(k, request.time)) continue;
       Quat turn = c.turn_at(k, request.time);
       Vec3 scale = c.scale_at(k, request.time);
       places.insert(places.end(), {c.foot[k].x, c.foot[k].y, c.foot[k].z, turn.x, turn.y, turn.z, turn.w,
                                    scale.x, scale.y, scale.z});
-      for (std::uint8_t byte : tint_bytes(tint_shift(stand->organism.sown->tint, c.tint[k])))
+      for (std::uint8_t byte : tint_bytes(tint_shift(set->organism.sown->tint, c.tint[k])))
         tints.push_back(byte);
     }
-    part.head["entry"] = stand->entry, part.head["specimen"] = -1, part.head["model"] = which;
+    part.head["entry"] = set->entry, part.head["specimen"] = -1, part.head["model"] = which;
     part.add("/instances", places);
     part.add("/tints", tints);
     parts.push_back(std::move(part));
@@ -297,23 +297,23 @@ Errors add_copies(const Scene& scene, const ViewRequest& request, ViewCache& mod
 Result<std::string> view_of(const Scene& scene, const Preset& preset, const ViewRequest& request,
                             ViewCache& models, Json header) {
   std::vector<DrawnPart> parts;
-  const SettingRow& setting = settings()[scene.stage.setting];
-  Daylight light = daylight_of(stage_at(scene.stage, request.time));
+  const SettingRow& setting = settings()[scene.setup.setting];
+  Daylight light = daylight_of(setup_at(scene.setup, request.time));
   if (!request.solo) add_ground(scene, light, parts);
   if (Errors errors = add_specimens(scene, request, models, parts); !errors.empty()) return errors;
   if (Errors errors = add_copies(scene, request, models, parts); !errors.empty()) return errors;
 
   std::size_t copies = 0;
-  for (const SownStand& stand : scene.stands) copies += stand.copies.size();
+  for (const CopySet& set : scene.copy_sets) copies += set.copies.size();
   header["time"] = request.time;
   header["film"] = film_json(scene.film);
   header["nodes"] = scene.nodes();
   header["copies"] = copies;
-  header["camera"] = camera_json(scene.stage.camera, request.time);
-  header["camera"]["way"] = way_json(scene.stage.camera, scene.film);
+  header["camera"] = camera_json(scene.setup.camera, request.time);
+  header["camera"]["way"] = way_json(scene.setup.camera, scene.film);
   header["light"] = light_json(light);
   header["setting"] = setting.name;
-  header["land"] = setting.answers.extent(scene.stage).sown;
+  header["land"] = setting.answers.extent(scene.setup).sown;
   Json food = Json::array();
   for (const FoodLeft& meal : food_places(scene.specimens, request.time)) food.push_back(json_of(meal.at));
   header["food"] = std::move(food);

@@ -17,10 +17,10 @@ namespace frond {
 /// What was made ready to be sent and may be wanted again. May be asked from many threads.
 class ViewCache {
  public:
-  explicit ViewCache(const std::shared_ptr<CacheBudget>& room) : parts(room), models_(room) {}
+  explicit ViewCache(const std::shared_ptr<CacheBudget>& budget) : parts(budget), models_(budget) {}
 
   /// Model `which` of what is sown, at some levels of detail. Its head has "levels".
-  Result<std::shared_ptr<const DrawnPart>> model(const SownStand& stand, int which);
+  Result<std::shared_ptr<const DrawnPart>> model(const CopySet& set, int which);
 
   /// The parts of specimens, by what those grew from and the time.
   LruCache<std::vector<DrawnPart>> parts;

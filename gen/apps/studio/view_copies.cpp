@@ -86,12 +86,12 @@ DrawnPart model_part(const Look& look, const Model& model) {
 
 }  // namespace
 
-Result<std::shared_ptr<const DrawnPart>> ViewCache::model(const SownStand& stand, int which) {
-  std::string name = copy_id(stand.organism, which);
+Result<std::shared_ptr<const DrawnPart>> ViewCache::model(const CopySet& set, int which) {
+  std::string name = copy_id(set.organism, which);
   if (auto kept = models_.find(name)) return kept;
-  Result<Model> grown = grow_copy(stand.organism, which);
+  Result<Model> grown = grow_copy(set.organism, which);
   if (!grown) return grown.errors();
-  auto part = std::make_shared<const DrawnPart>(model_part(stand.dress.look, *grown));
+  auto part = std::make_shared<const DrawnPart>(model_part(set.appearance.look, *grown));
   models_.put(name, part, part->bytes());
   return part;
 }

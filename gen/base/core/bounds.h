@@ -11,11 +11,11 @@ namespace frond {
 struct Bounds {
   Vec3 low{1e30f}, high{-1e30f};
 
-  void take(Vec3 at, float round = 0) {
+  void extend(Vec3 at, float round = 0) {
     low = glm::min(low, at - round);
     high = glm::max(high, at + round);
   }
-  void take(const Bounds& other) {
+  void extend(const Bounds& other) {
     low = glm::min(low, other.low);
     high = glm::max(high, other.high);
   }
@@ -40,7 +40,7 @@ inline float reach_of(std::span<const Vec3> places) {
 
 inline Bounds bounds_of(std::span<const Vec3> places) {
   Bounds box;
-  for (const Vec3& at : places) box.take(at);
+  for (const Vec3& at : places) box.extend(at);
   return box;
 }
 

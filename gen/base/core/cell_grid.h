@@ -97,7 +97,7 @@ class Darts {
   explicit Darts(float apart) : apart_(apart), grid_(apart) {}
 
   /// Whether a place is free; then it is taken.
-  bool take(Vec3 at) {
+  bool try_add(Vec3 at) {
     bool free = true;
     grid_.each(at, [&](std::uint32_t who) { free = free && glm::distance(taken_[who], at) >= apart_; });
     if (!free) return false;

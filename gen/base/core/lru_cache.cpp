@@ -28,26 +28,26 @@ void CacheBudget::put(Name name, Thing thing, std::size_t bytes) {
   if (places_.contains(name)) return;
   kept_.push_front({name, std::move(thing), bytes + kBookkeeping});
   places_.emplace(std::move(name), kept_.begin());
-  taken_ += kept_.front().bytes;
+  used_ += kept_.front().bytes;
   gone = surplus();
 }
 
-std::size_t CacheBudget::taken() const {
+std::size_t CacheBudget::used() const {
   std::lock_guard lock(mutex_);
-  return taken_;
+  return used_;
 }
 
-std::size_t CacheBudget::given_up() const {
+std::size_t CacheBudget::evicted() const {
   std::lock_guard lock(mutex_);
-  return given_up_;
+  return evicted_;
 }
 
 std::list<CacheBudget::Kept> CacheBudget::surplus() {
   std::list<Kept> gone;
-  while (taken_ > room_ && kept_.size() > 1) {
+  while (used_ > capacity_ && kept_.size() > 1) {
     gone.splice(gone.begin(), kept_, std::prev(kept_.end()));
     places_.erase(gone.front().name);
-    taken_ -= gone.front().bytes, given_up_ += gone.front().bytes;
+    used_ -= gone.front().bytes, evicted_ += gone.front().bytes;
   }
   return gone;
 }

@@ -17,16 +17,16 @@ class CacheBudget {
   using Thing = std::shared_ptr<const void>;
   using Name = std::pair<int, std::string>;  ///< the cache, and the key in it
 
-  explicit CacheBudget(std::size_t bytes) : room_(bytes) {}
+  explicit CacheBudget(std::size_t bytes) : capacity_(bytes) {}
 
   int add_cache();
   Thing find(const Name& name);
   void put(Name name, Thing thing, std::size_t bytes);
 
-  std::size_t room() const { return room_; }
-  std::size_t taken() const;
+  std::size_t capacity() const { return capacity_; }
+  std::size_t used() const;
   /// Bytes dropped so far.
-  std::size_t given_up() const;
+  std::size_t evicted() const;
 
  private:
   struct Kept {
@@ -39,7 +39,7 @@ class CacheBudget {
   /// Takes out the entries to drop; they are destroyed after the lock is released.
   std::list<Kept> surplus();
 
-  std::size_t room_, taken_ = 0, given_up_ = 0;
+  std::size_t capacity_, used_ = 0, evicted_ = 0;
   int caches_ = 0;
   mutable std::mutex mutex_;
   std::list<Kept> kept_;  // most recently used first
@@ -52,20 +52,21 @@ class LruCache {
  public:
   /// With a memory limit of its own.
   explicit LruCache(std::size_t bytes) : LruCache(std::make_shared<CacheBudget>(bytes)) {}
-  explicit LruCache(std::shared_ptr<CacheBudget> room) : room_(std::move(room)), own_(room_->add_cache()) {}
+  explicit LruCache(std::shared_ptr<CacheBudget> budget)
+      : budget_(std::move(budget)), own_(budget_->add_cache()) {}
 
   /// Empty where there is none of that name.
   std::shared_ptr<const T> find(const std::string& name) {
-    return std::static_pointer_cast<const T>(room_->find({own_, name}));
+    return std::static_pointer_cast<const T>(budget_->find({own_, name}));
   }
 
   /// An existing entry of that name is kept.
   void put(const std::string& name, std::shared_ptr<const T> thing, std::size_t bytes) {
-    room_->put({own_, name}, std::move(thing), bytes);
+    budget_->put({own_, name}, std::move(thing), bytes);
   }
 
  private:
-  std::shared_ptr<CacheBudget> room_;
+  std::shared_ptr<CacheBudget> budget_;
   int own_;
 };
 

@@ -33,18 +33,18 @@ double number_in(const fs::path& path, double otherwise) {
 }
 
 /// What one cgroup leaves. Files that were read and are not in use make room.
-double left_by(const fs::path& folder, const char* most, const char* used, const char* idle) {
-  double limit = number_in(folder / most, Machine::kNoEnd);
-  if (limit > 1e18) return Machine::kNoEnd;  // how the first version says that there is none
+double left_by(const fs::path& folder, const char* most, const char* used, const char* reclaimable) {
+  double limit = number_in(folder / most, Machine::kUnlimited);
+  if (limit > 1e18) return Machine::kUnlimited;  // how the first version says that there is none
   std::ifstream in(folder / "memory.stat");
-  double in_use = number_in(folder / used, 0) - std::max(0.0, number_after(in, idle));
+  double in_use = number_in(folder / used, 0) - std::max(0.0, number_after(in, reclaimable));
   return std::max(0.0, limit - std::max(0.0, in_use));
 }
 
 /// The least that the cgroups of the process leave, and those that they are in. Where a container sees only
 /// its own, its path leads nowhere, but one above it does.
 double left_by_cgroups(const fs::path& root) {
-  double left = Machine::kNoEnd;
+  double left = Machine::kUnlimited;
   std::ifstream in(root / "proc/self/cgroup");
   for (std::string line; std::getline(in, line);) {
     std::size_t first = line.find(':'), second = line.find(':', first + 1);
@@ -67,7 +67,7 @@ double left_by_cgroups(const fs::path& root) {
 /// How much the address space may still grow.
 double left_by_limit() {
   rlimit limit{};
-  if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return Machine::kNoEnd;
+  if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return Machine::kUnlimited;
   double pages = number_in("/proc/self/statm", 0);
   return std::max(0.0,
                   static_cast<double>(limit.rlim_cur) - pages * static_cast<double>(::sysconf(_SC_PAGESIZE)));

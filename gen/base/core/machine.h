@@ -7,11 +7,11 @@ namespace frond {
 
 /// The resources of a machine that are available to a run: a plain value, so that tests can make one up.
 struct Machine {
-  static constexpr double kNoEnd = std::numeric_limits<double>::infinity();
+  static constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-  double memory = kNoEnd;  ///< bytes that this process may still allocate
-  double disk = kNoEnd;    ///< bytes free where the output goes
-  int threads = 1;         ///< number of threads of parallel_for
+  double memory = kUnlimited;  ///< bytes that this process may still allocate
+  double disk = kUnlimited;    ///< bytes free where the output goes
+  int threads = 1;             ///< number of threads of parallel_for
 };
 
 /// The resources of this process: memory is the least of what is available, what its cgroups allow and what

@@ -70,7 +70,7 @@ int counting_number(std::string_view text) {
   return error == std::errc{} && end == text.data() + text.size() ? std::max(number, 0) : 0;
 }
 
-int take_whole(std::string_view& text) {
+int consume_whole(std::string_view& text) {
   int number = 0;
   auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc{} || number < 0) return 0;

@@ -110,7 +110,7 @@ bool SoftLight::lay_levels(const Bounds& bounds, double unit) {
     // A level reaches as far as cells of its size are wanted, round all eyes.
     auto reach = static_cast<float>(2 * cell / (pixel * pixels_) + 3 * cell);
     Bounds box;
-    for (const Eye& eye : eyes_) box.take(eye.at, reach);
+    for (const Eye& eye : eyes_) box.extend(eye.at, reach);
     bool whole = glm::all(glm::lessThanEqual(box.low, bounds.low)) &&
                  glm::all(glm::greaterThanEqual(box.high, bounds.high));
     box.low = glm::max(box.low, bounds.low);

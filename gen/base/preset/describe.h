@@ -263,11 +263,11 @@ class Properties {
   template <class T, class Read>
   void custom(std::string_view name, T& out, const Read& read, std::string_view schema,
               std::string_view doc) {
-    auto take = [&](Reader& reader, const Value& value) {
+    auto assign = [&](Reader& reader, const Value& value) {
       Held<T> held{};
       if (read(reader, value, held)) out = std::move(held);
     };
-    read_custom(name, slot_of(out), take, schema, doc);
+    read_custom(name, slot_of(out), assign, schema, doc);
   }
 
   virtual void origin(std::string& /*out*/, std::string_view /*name*/ = {}) {}

@@ -252,13 +252,13 @@ std::vector<Topic> topics_about(const std::vector<Topic>& topics, std::string_vi
   std::string low = lower(asked);
   while (low.ends_with('/')) low.pop_back();
   std::vector<Topic> found;
-  auto take = [&](const auto& wanted) {
+  auto add_found = [&](const auto& wanted) {
     for (const Topic& topic : topics)
       if (wanted(topic)) found.push_back(topic);
     return !found.empty();
   };
   if (low.empty()) return found;
-  if (take([&](const Topic& t) { return t.path == low || t.path.starts_with(low + "/"); }))
+  if (add_found([&](const Topic& t) { return t.path == low || t.path.starts_with(low + "/"); }))
     return joined(found);
   // What all kinds have may be asked of one of them.
   std::size_t slash = low.find('/');
@@ -266,10 +266,11 @@ std::vector<Topic> topics_about(const std::vector<Topic>& topics, std::string_vi
     std::string common = "organism" + low.substr(slash);
     bool kind = std::ranges::any_of(
         topics, [&](const Topic& t) { return t.path.starts_with(low.substr(0, slash + 1)); });
-    if (kind && take([&](const Topic& t) { return t.path == common || t.path.starts_with(common + "/"); }))
+    if (kind &&
+        add_found([&](const Topic& t) { return t.path == common || t.path.starts_with(common + "/"); }))
       return found;
     std::string inner = "/" + low;
-    if (take([&](const Topic& t) {
+    if (add_found([&](const Topic& t) {
           std::string path = t.path + "/";
           return path.find(inner + "/") != path.npos;
         }))

@@ -9,17 +9,17 @@
 
 namespace frond {
 
-const Value* Reader::take(std::string_view name) {
+const Value* Reader::consume(std::string_view name) {
   Frame& frame = frames_.back();
   frame.names.push_back(name);
   if (!frame.value->is(Value::Type::object)) return name == frame.bare ? frame.value : nullptr;
   return frame.value->find(name);
 }
 
-void Reader::doubt_radians(const Value& value, double found, double usual) {
+void Reader::warn_of_radians(const Value& value, double found, double usual) {
   bool small = found != 0 && std::abs(found) <= 1.6 && found != std::round(found);
   if (!small || std::abs(usual) < 10) return;
-  doubts_.add(
+  warnings_.add(
       {value.origin, pointer_,
        fmt::format("{:g} degrees are very few (usual are about {:g}); if radians were meant, write {:.1f}",
                    found, usual, degrees(found))});

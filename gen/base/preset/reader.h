@@ -28,7 +28,7 @@ class Reader : public Properties {
 
   const Faults& faults() const { return faults_; }
   /// Warnings: valid, but probably not intended.
-  const Faults& doubts() const { return doubts_; }
+  const Faults& warnings() const { return warnings_; }
 
   /// Reads a whole document; "$schema" is allowed there.
   void read_root(const Value& root, ObjectSlot out);
@@ -119,7 +119,7 @@ class Reader : public Properties {
   };
 
   /// Notes an angle that looks like radians (`usual` in radians) where degrees are expected.
-  void doubt_radians(const Value& value, double found, double usual);
+  void warn_of_radians(const Value& value, double found, double usual);
   /// Notes a direction without length.
   bool has_length(const Value& value, const DVec3& direction, Across across);
   /// The file that a text names; an empty text names none.
@@ -139,7 +139,7 @@ class Reader : public Properties {
   std::optional<Animated<T>> keys_at(const Value& value, bool constant, Read read);
 
   /// The member of the object being read, recorded as a known name; nullptr if it is missing.
-  const Value* take(std::string_view name);
+  const Value* consume(std::string_view name);
   void enter(const Value& value) { frames_.push_back(Frame{&value}); }
   void leave();
   void member(std::string_view name, FunctionRef<void(const Value&)> read);
@@ -151,20 +151,20 @@ class Reader : public Properties {
   bool partial_;
   std::string pointer_;
   std::vector<Frame> frames_;
-  Faults faults_, doubts_;
+  Faults faults_, warnings_;
   const Assets* assets_ = nullptr;
 };
 
 /// Reads a document into a described struct and returns everything that is wrong with it. Warnings go to
-/// `doubts`. Named files are read from `assets`.
-Errors read_document(const Document& document, ObjectSlot out, Faults* doubts = nullptr,
+/// `warnings`. Named files are read from `assets`.
+Errors read_document(const Document& document, ObjectSlot out, Faults* warnings = nullptr,
                      const Assets* assets = nullptr);
 
 /// Reads a document into a new struct, as read_document() does; what is wrong with it is the error.
 template <class T>
-Result<T> read_preset(const Document& document, Faults* doubts = nullptr, const Assets* assets = nullptr) {
+Result<T> read_preset(const Document& document, Faults* warnings = nullptr, const Assets* assets = nullptr) {
   T preset{};
-  Errors errors = read_document(document, preset, doubts, assets);
+  Errors errors = read_document(document, preset, warnings, assets);
   if (errors.empty()) return preset;
   return errors;
 }

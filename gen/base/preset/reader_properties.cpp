@@ -43,7 +43,7 @@ bool keep(Slot out, std::optional<T> read) {
 }  // namespace
 
 void Reader::member(std::string_view name, FunctionRef<void(const Value&)> read) {
-  const Value* value = take(name);
+  const Value* value = consume(name);
   if (!value) return;
   if (value == frames_.back().value) {
     read(*value);
@@ -119,7 +119,7 @@ void Reader::angle(std::string_view name, RealSlot out, const Range& range, std:
   member(name, [&](const Value& v) {
     std::optional<double> found = number_at(v, in_degrees(within(range, out.held_type())));
     if (!found) return;
-    if (out.type->kind == SlotType::Kind::real) doubt_radians(v, *found, degrees(real(out)));
+    if (out.type->kind == SlotType::Kind::real) warn_of_radians(v, *found, degrees(real(out)));
     set_real(out.hold(), radians(*found));
   });
 }
@@ -234,7 +234,7 @@ bool Reader::tagged_at(const Value& value, Slot out, const KindTable& kinds) {
   std::optional<std::size_t> which = inside("kind", [&] { return name_at(*name, names); });
   if (!which) return false;
   return with_object(value, [&] {
-    take("kind");
+    consume("kind");
     out.type->describe(*this, out.at);
     kinds.describe(*which, *this, out);
   });
@@ -301,11 +301,11 @@ void Reader::read_root(const Value& root, ObjectSlot out) {
   });
 }
 
-Errors read_document(const Document& document, ObjectSlot out, Faults* doubts, const Assets* assets) {
+Errors read_document(const Document& document, ObjectSlot out, Faults* warnings, const Assets* assets) {
   Reader reader;
   if (assets) reader.read_files(*assets);
   reader.read_root(document.root, out);
-  if (doubts) *doubts = reader.doubts();
+  if (warnings) *warnings = reader.warnings();
   return reader.faults().errors();
 }
 

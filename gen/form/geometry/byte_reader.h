@@ -23,7 +23,7 @@ class ByteReader {
   }
 
   template <class T>
-  std::optional<T> take() {
+  std::optional<T> read() {
     if (rest_.size() < sizeof(T)) return std::nullopt;
     char bytes[sizeof(T)];
     for (std::size_t i = 0; i < sizeof(T); ++i) bytes[turned_ ? sizeof(T) - 1 - i : i] = rest_[i];

@@ -69,7 +69,7 @@ V finite(const V& v, const V& otherwise) {
 class GlbReader {
  public:
   PolygonMesh read(std::string_view bytes) {
-    take_chunks(bytes);
+    read_chunks(bytes);
     check_extensions();
     for (const Json& m : list("materials")) mesh_.material.push_back(material(m));
     visited_.assign(list("nodes").size(), 0);
@@ -85,15 +85,15 @@ class GlbReader {
   }
 
  private:
-  void take_chunks(std::string_view bytes) {
+  void read_chunks(std::string_view bytes) {
     constexpr std::uint32_t kJson = 0x4E4F534A, kBinary = 0x004E4942;
     ByteReader reader(bytes);
     reader.skip(4);
-    if (reader.take<std::uint32_t>() != 2u)
+    if (reader.read<std::uint32_t>() != 2u)
       throw Fault{"is a GLB file of another version; expected glTF 2.0"};
     reader.skip(4);
     while (reader.left() >= 8) {
-      std::uint32_t length = *reader.take<std::uint32_t>(), kind = *reader.take<std::uint32_t>();
+      std::uint32_t length = *reader.read<std::uint32_t>(), kind = *reader.read<std::uint32_t>();
       std::string_view chunk = bytes.substr(bytes.size() - reader.left());
       if (!reader.skip(length)) throw Fault{"is a GLB file that ends too early"};
       if (kind == kJson) json_ = parsed(chunk.substr(0, length));
@@ -205,17 +205,17 @@ class GlbReader {
   static double one(ByteReader& reader, int type) {
     switch (type) {
       case kByte:
-        return reader.take<std::int8_t>().value_or(0);
+        return reader.read<std::int8_t>().value_or(0);
       case kUnsignedByte:
-        return reader.take<std::uint8_t>().value_or(0);
+        return reader.read<std::uint8_t>().value_or(0);
       case kShort:
-        return reader.take<std::int16_t>().value_or(0);
+        return reader.read<std::int16_t>().value_or(0);
       case kUnsignedShort:
-        return reader.take<std::uint16_t>().value_or(0);
+        return reader.read<std::uint16_t>().value_or(0);
       case kUnsignedInt:
-        return reader.take<std::uint32_t>().value_or(0);
+        return reader.read<std::uint32_t>().value_or(0);
       default:
-        return static_cast<double>(reader.take<float>().value_or(0));
+        return static_cast<double>(reader.read<float>().value_or(0));
     }
   }
 

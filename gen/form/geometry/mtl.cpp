@@ -50,7 +50,7 @@ std::optional<fs::path> found_below(const fs::path& folder, std::string name) {
 
 }  // namespace
 
-void take_mtl(std::string_view text, PolygonMesh& mesh) {
+void read_mtl(std::string_view text, PolygonMesh& mesh) {
   TextLines lines(text);
   MeshMaterial* material = nullptr;
   while (lines.next()) {
@@ -105,7 +105,7 @@ void read_materials(const fs::path& obj, PolygonMesh& mesh, std::vector<fs::path
     }
     for (const std::string& name : names) {
       if (std::optional<std::string> text = read(name))
-        take_mtl(*text, mesh);
+        read_mtl(*text, mesh);
       else
         mesh.notes.push_back(fmt::format(
             "names the file of materials \"{}\", which is not in its folder; its colours are not known",

@@ -21,7 +21,7 @@ struct Supply {
 
   /// The index, from 0, of the one that a corner names: by its number from 1, or counted back from the last.
   /// Negative where there can be none.
-  std::int32_t take(std::string_view digits, int at) {
+  std::int32_t index_of(std::string_view digits, int at) {
     constexpr long long kMost = std::numeric_limits<std::int32_t>::max();
     long long index = 0;
     auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
@@ -75,11 +75,11 @@ class ObjParser {
   std::string line_fault() {
     std::string kind(lines_.word());
     for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    if (kind == "v") return take_place();
-    if (kind == "vt") return take_texture(), "";
-    if (kind == "vn") return take_normal();
-    if (kind == "f" || kind == "fo") return take_corners("face", 3);
-    if (kind == "l") return take_corners("line", 2);
+    if (kind == "v") return read_place();
+    if (kind == "vt") return read_texture(), "";
+    if (kind == "vn") return read_normal();
+    if (kind == "f" || kind == "fo") return read_corners("face", 3);
+    if (kind == "l") return read_corners("line", 2);
     if (kind == "o") object_ = lines_.others(), grouped_ = false;
     if (kind == "g") group_ = lines_.others(), grouped_ = false;
     if (kind == "usemtl") material_ = material_named(lines_.others()), grouped_ = false;
@@ -88,7 +88,7 @@ class ObjParser {
     return {};
   }
 
-  std::string take_place() {
+  std::string read_place() {
     ++places_.count;
     std::array<double, 7> x{};
     int count = 0;
@@ -106,12 +106,12 @@ class ObjParser {
     return {};
   }
 
-  void take_texture() {
+  void read_texture() {
     std::optional<double> u = number_of(lines_.word()), v = number_of(lines_.word());
     mesh.texture.emplace_back(u.value_or(0), v.value_or(0));
   }
 
-  std::string take_normal() {
+  std::string read_normal() {
     ++normals_.count;
     Vec3 normal(0);
     for (int i = 0; i < 3; ++i) {
@@ -127,24 +127,24 @@ class ObjParser {
     return fmt::format("a {} whose number {} is none; expected three finite numbers", what, before + 1);
   }
 
-  /// Takes corners written as `place`, `place/picture`, `place//normal` or `place/picture/normal`. Returns
+  /// Reads corners written as `place`, `place/picture`, `place//normal` or `place/picture/normal`. Returns
   /// what is wrong with them, or nothing.
-  std::string take_corners(std::string_view what, std::uint32_t least) {
+  std::string read_corners(std::string_view what, std::uint32_t least) {
     corners_.clear();
     for (std::string_view word = lines_.word(); !word.empty(); word = lines_.word()) {
       PolygonMesh::Corner corner;
       std::size_t slash = std::min(word.find('/'), word.size());
       std::size_t second = word.find('/', std::min(slash + 1, word.size()));
-      std::int32_t place = places_.take(word.substr(0, slash), lines_.number());
+      std::int32_t place = places_.index_of(word.substr(0, slash), lines_.number());
       if (place < 0) return places_.missing();
       corner.place = static_cast<std::uint32_t>(place);
       if (slash < word.size()) {
         Supply given{"picture", static_cast<long long>(mesh.texture.size())};
-        corner.texture = given.take(word.substr(slash + 1, std::min(second, word.size()) - slash - 1), 0);
+        corner.texture = given.index_of(word.substr(slash + 1, std::min(second, word.size()) - slash - 1), 0);
       }
       if (std::string_view normal = word.substr(std::min(second, word.size() - 1) + 1);
           second != word.npos && !normal.empty()) {
-        corner.normal = normals_.take(normal, lines_.number());
+        corner.normal = normals_.index_of(normal, lines_.number());
         if (corner.normal < 0) return normals_.missing();
       }
       corners_.push_back(corner);

@@ -82,7 +82,7 @@ std::vector<MeshPiece> pieces_of(std::span<const Vec3> position, TriangleSpan tr
     for (std::uint32_t t : piece.triangles) {
       auto at = [&](std::size_t k) { return DVec3(position[triangles[t][k]]) - middle; };
       piece.volume += glm::dot(at(0), glm::cross(at(1), at(2)));
-      for (std::uint32_t v : triangles[t]) piece.box.take(position[v]);
+      for (std::uint32_t v : triangles[t]) piece.box.extend(position[v]);
     }
     piece.closed = is_closed(piece, triangles, vertex);
   }

@@ -101,7 +101,7 @@ class PlyParser {
  private:
   std::string_view header_line() {
     ++line_;
-    return take_line(rest_);
+    return consume_line(rest_);
   }
 
   std::string read_header() {
@@ -145,13 +145,13 @@ class PlyParser {
   }
 
   template <class T>
-  bool take_as(double& out) {
-    std::optional<T> value = body_->take<T>();
+  bool read_as(double& out) {
+    std::optional<T> value = body_->read<T>();
     if (value) out = static_cast<double>(*value);
     return value.has_value();
   }
 
-  bool take(const ScalarName& type, double& out) {
+  bool read_scalar(const ScalarName& type, double& out) {
     if (ascii_) {
       rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t\r\n"), rest_.size()));
       std::string_view word = rest_.substr(0, rest_.find_first_of(" \t\r\n"));
@@ -162,21 +162,21 @@ class PlyParser {
     }
     switch (type.type) {
       case Scalar::int8:
-        return take_as<std::int8_t>(out);
+        return read_as<std::int8_t>(out);
       case Scalar::uint8:
-        return take_as<std::uint8_t>(out);
+        return read_as<std::uint8_t>(out);
       case Scalar::int16:
-        return take_as<std::int16_t>(out);
+        return read_as<std::int16_t>(out);
       case Scalar::uint16:
-        return take_as<std::uint16_t>(out);
+        return read_as<std::uint16_t>(out);
       case Scalar::int32:
-        return take_as<std::int32_t>(out);
+        return read_as<std::int32_t>(out);
       case Scalar::uint32:
-        return take_as<std::uint32_t>(out);
+        return read_as<std::uint32_t>(out);
       case Scalar::float32:
-        return take_as<float>(out);
+        return read_as<float>(out);
       case Scalar::float64:
-        return take_as<double>(out);
+        return read_as<double>(out);
     }
     return false;
   }
@@ -210,9 +210,9 @@ class PlyParser {
       std::array<double, kSlots> slots{};
       for (const Property& p : element.properties) {
         double value = 0;
-        if (!take(p.count ? *p.count : *p.type, value)) return cut_short(element, i);
+        if (!read_scalar(p.count ? *p.count : *p.type, value)) return cut_short(element, i);
         if (p.count) {
-          if (!take_list(p, value)) return cut_short(element, i);
+          if (!read_list(p, value)) return cut_short(element, i);
           if (element.name == "face" && (p.name == "vertex_indices" || p.name == "vertex_index"))
             add_face(list_);
           if (p.name == "vertex_indices" && element.name == "tristrips") add_strips();
@@ -231,12 +231,12 @@ class PlyParser {
                        element.count, element.name, read);
   }
 
-  bool take_list(const Property& p, double length) {
+  bool read_list(const Property& p, double length) {
     list_.clear();
     if (!(length >= 0) || length > static_cast<double>(ascii_ ? rest_.size() : body_->left())) return false;
     for (long long k = 0; k < static_cast<long long>(length); ++k) {
       double value = 0;
-      if (!take(*p.type, value)) return false;
+      if (!read_scalar(*p.type, value)) return false;
       list_.push_back(value);
     }
     return true;

@@ -59,7 +59,7 @@ Result<PolygonMesh> read_binary(std::string_view bytes, const std::string& name)
   constexpr std::size_t kHead = 80, kFacet = 50;
   ByteReader reader(bytes);
   reader.skip(kHead);
-  std::uint32_t count = reader.take<std::uint32_t>().value_or(0);
+  std::uint32_t count = reader.read<std::uint32_t>().value_or(0);
   if (reader.left() / kFacet < count)
     return Error{name, fmt::format("is an STL file that promises {} triangles and holds {}", count,
                                    reader.left() / kFacet)};
@@ -69,7 +69,7 @@ Result<PolygonMesh> read_binary(std::string_view bytes, const std::string& name)
     reader.skip(3 * sizeof(float));  // its normal, which follows from the corners
     for (int k = 0; k < 3; ++k) {
       DVec3 at(0);
-      for (int axis = 0; axis < 3; ++axis) at[axis] = static_cast<double>(reader.take<float>().value_or(0));
+      for (int axis = 0; axis < 3; ++axis) at[axis] = static_cast<double>(reader.read<float>().value_or(0));
       if (!std::isfinite(glm::dot(at, at)))
         return Error{name, fmt::format("triangle {} has a corner at no finite place", i)};
       made.add_corner(at);
@@ -86,7 +86,7 @@ Result<PolygonMesh> read_stl_mesh(std::string_view bytes, const std::string& nam
   // A binary one may begin with the word of a text.
   bool text = bytes.size() < 84 || bytes.substr(0, 1024).find("facet") != bytes.npos;
   std::uint32_t count =
-      text && bytes.size() >= 84 ? ByteReader(bytes.substr(80)).take<std::uint32_t>().value_or(0) : 0;
+      text && bytes.size() >= 84 ? ByteReader(bytes.substr(80)).read<std::uint32_t>().value_or(0) : 0;
   if (count > 0 && bytes.size() == 84 + std::size_t{50} * count) text = false;
   Result<PolygonMesh> mesh = text ? read_text(bytes, name) : read_binary(bytes, name);
   if (mesh && mesh->face.empty()) return Error{name, "is an STL file without a triangle"};

@@ -11,7 +11,7 @@
 namespace frond {
 
 /// The first line of a text, without its end (CR, LF or both), which goes from the text with it.
-inline std::string_view take_line(std::string_view& text) {
+inline std::string_view consume_line(std::string_view& text) {
   std::string_view line = text.substr(0, text.find_first_of("\r\n"));
   text.remove_prefix(line.size());
   if (text.starts_with("\r\n"))
@@ -35,7 +35,7 @@ class TextLines {
   bool next() {
     if (rest_.empty()) return false;
     first_ = last_ + 1;
-    line_ = take();
+    line_ = next_line();
     if (!goes_on()) return true;
     joined_.clear();
     while (goes_on()) {
@@ -45,7 +45,7 @@ class TextLines {
         line_ = {};
         break;
       }
-      line_ = take();
+      line_ = next_line();
     }
     joined_ += line_;
     line_ = joined_;
@@ -73,9 +73,9 @@ class TextLines {
  private:
   static constexpr std::string_view kBlanks = " \t\v\f";
 
-  std::string_view take() {
+  std::string_view next_line() {
     ++last_;
-    std::string_view line = take_line(rest_);
+    std::string_view line = consume_line(rest_);
     return line.substr(0, line.find('#'));
   }
 

@@ -53,7 +53,7 @@ class Tube {
         node_(mesh.node) {}
 
   /// Adds the tube of the nodes first..last; it begins at the node below `first`, where there is one.
-  void draw(std::int32_t first, std::int32_t last) {
+  void add(std::int32_t first, std::int32_t last) {
     nodes_.clear();
     std::int32_t below = rest_.parent[first];
     fork_ = below != Skeleton::kRoot;
@@ -345,7 +345,7 @@ TubeMesh tube_mesh(const Skeleton& rest, std::span<const Vec3> position, std::sp
   for (std::int32_t first = 0; first < n;) {
     std::int32_t last = first;
     while (last + 1 < n && rest.parent[last + 1] == last) ++last;
-    tube.draw(first, last);
+    tube.add(first, last);
     first = last + 1;
   }
   return mesh;

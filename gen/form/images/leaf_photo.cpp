@@ -77,7 +77,7 @@ double radius_of(const Grid& cover, Vec2 middle, double angle) {
 }
 
 /// Finds the outline and where it lies; false where nothing is opaque on the axis.
-bool take_outline(LeafPhoto& photo) {
+bool find_outline(LeafPhoto& photo) {
   const Raster& picture = photo.levels.front();
   Grid cover(picture.width, picture.height);
   for (std::size_t i = 0; i < cover.data.size(); ++i)
@@ -133,7 +133,7 @@ Raster halved(const Raster& from) {
 
 /// Adds smaller pictures, down to a pixel, and fills from them what is not opaque (pull-push: Gortler,
 /// Grzeszczuk, Szeliski and Cohen 1996).
-void take_levels(std::vector<Raster>& levels) {
+void fill_levels(std::vector<Raster>& levels) {
   while (levels.back().width > 1 || levels.back().height > 1) levels.push_back(halved(levels.back()));
   for (std::size_t k = levels.size() - 1; k-- > 0;) {
     Raster& fine = levels[k];
@@ -186,9 +186,9 @@ Result<LeafPhoto> read_leaf_photo(std::string_view bytes) {
   if (!open) return Error{"", std::string("has no transparency") + kExpected};
   LeafPhoto photo;
   photo.levels.push_back(std::move(*read));
-  if (!take_outline(photo))
+  if (!find_outline(photo))
     return Error{"", std::string("has no leaf in the middle of its width") + kExpected};
-  take_levels(photo.levels);
+  fill_levels(photo.levels);
   const std::vector<std::uint8_t>& last = photo.levels.back().data;
   photo.mean = {static_cast<float>(last[0]) / 255, static_cast<float>(last[1]) / 255,
                 static_cast<float>(last[2]) / 255};

@@ -47,7 +47,7 @@ struct PngRows::Reader {
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
-  static void take(png_structp png, png_bytep data, png_size_t size) {
+  static void read_bytes(png_structp png, png_bytep data, png_size_t size) {
     auto& left = *static_cast<std::string_view*>(png_get_io_ptr(png));
     if (size > left.size()) png_error(png, "it is cut short");
     std::memcpy(data, left.data(), size);
@@ -56,7 +56,7 @@ struct PngRows::Reader {
 
   bool read_head() {
     if (!info || setjmp(png_jmpbuf(png)) != 0) return false;
-    png_set_read_fn(png, &left, take);
+    png_set_read_fn(png, &left, read_bytes);
     png_set_user_limits(png, kLongestRow, kLongestRow);
     png_read_info(png, info);
     if (png_get_color_type(png, info) == PNG_COLOR_TYPE_PALETTE || png_get_bit_depth(png, info) < 8)
@@ -125,7 +125,7 @@ Result<LinearRaster> PngRows::next_linear(int rows, bool opacity) {
   // As a picture of its own, so that it is taken to light just as a whole one is.
   PngWriter writer(*band);
   writer.add(*band);
-  Result<std::string> bytes = writer.take();
+  Result<std::string> bytes = writer.finish();
   return bytes ? read_linear_png(*bytes, opacity) : bytes.errors();
 }
 
@@ -193,7 +193,7 @@ void PngWriter::add(const PngSamples& rows) {
   if (writer_->fault.empty()) writer_->write_rows(rows.data.data(), rows.row(), rows.height);
 }
 
-Result<std::string> PngWriter::take() {
+Result<std::string> PngWriter::finish() {
   if (!writer_->fault.empty() || !writer_->write_end()) return Error{"", "PNG: " + writer_->fault};
   return std::move(writer_->out);
 }

@@ -53,7 +53,7 @@ class PngWriter {
   /// Adds rows of the same width and kind.
   void add(const PngSamples& rows);
   /// The bytes of the file, once all rows were added.
-  Result<std::string> take();
+  Result<std::string> finish();
 
  private:
   struct Writer;

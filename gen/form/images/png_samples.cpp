@@ -24,7 +24,7 @@ Result<PngSamples> read_samples(std::string_view png) {
 Result<std::string> samples_text(const PngSamples& samples) {
   PngWriter writer(samples, Z_DEFAULT_COMPRESSION);
   writer.add(samples);
-  return writer.take();
+  return writer.finish();
 }
 
 PngSamples cut(const PngSamples& whole, int x, int y, int width, int height) {

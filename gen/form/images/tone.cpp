@@ -124,7 +124,7 @@ Result<std::string> develop_bands(std::span<const std::string> pngs, const Tone&
     }
     writer->add(made);
   }
-  return writer->take();
+  return writer->finish();
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ std::string check_blades(const Model& model) {
     if (!holds(model.skeleton, b.node[i])) return fmt::format("blade {} grows at node {}", i, b.node[i]);
     if (!(b.birth[i] >= 0 && b.birth[i] <= 1)) return fmt::format("blade {} is born at {}", i, b.birth[i]);
   }
-  return b.surface.check();
+  return b.surface.find_fault();
 }
 
 }  // namespace
@@ -63,8 +63,8 @@ void Organs::reserve(std::size_t count) {
   id.reserve(count);
 }
 
-std::string Model::check() const {
-  if (std::string fault = skeleton.check(); !fault.empty()) return fault;
+std::string Model::find_fault() const {
+  if (std::string fault = skeleton.find_fault(); !fault.empty()) return fault;
   if (!color.empty() && color.size() != skeleton.size()) return "not every node has a colour";
   if (!light.empty() && light.size() != skeleton.size()) return "not every node has its light";
   if (!axes.empty() && axes.size() != skeleton.size()) return "not every node belongs to an axis";
@@ -72,12 +72,12 @@ std::string Model::check() const {
   for (const Prototype& prototype : prototypes) {
     if (prototype.colors.empty()) return "prototype " + prototype.name + " has no colour";
     for (const OrganPart& part : prototype.parts)
-      if (std::string fault = part.surface.check(); !fault.empty()) return prototype.name + ": " + fault;
+      if (std::string fault = part.surface.find_fault(); !fault.empty()) return prototype.name + ": " + fault;
   }
   if (std::string fault = check_organs(*this); !fault.empty()) return fault;
   if (std::string fault = check_blades(*this); !fault.empty()) return fault;
-  if (std::string fault = solids.check(); !fault.empty()) return fault;
-  return hull.check();
+  if (std::string fault = solids.find_fault(); !fault.empty()) return fault;
+  return hull.find_fault();
 }
 
 float reach_of(const Prototype& organ) {
@@ -89,9 +89,9 @@ float reach_of(const Prototype& organ) {
 Bounds bounds_of(const Model& model) {
   Bounds box = bounds_of(model.solids);
   for (std::size_t i = 0; i < model.skeleton.size(); ++i)
-    box.take(model.skeleton.position[i], model.skeleton.radius[i]);
-  box.take(bounds_of(model.organs.position));
-  box.take(bounds_of(model.blades.surface.position));
+    box.extend(model.skeleton.position[i], model.skeleton.radius[i]);
+  box.extend(bounds_of(model.organs.position));
+  box.extend(bounds_of(model.blades.surface.position));
   return box;
 }
 

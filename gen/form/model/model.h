@@ -110,7 +110,7 @@ struct Model {
   std::vector<std::string> notes;  ///< messages for the user about how it was built
 
   /// Checks all invariants: one line for the first violation, empty if there is none.
-  std::string check() const;
+  std::string find_fault() const;
 };
 
 /// How far an organ reaches from its origin, metres.

@@ -35,7 +35,7 @@ float Skeleton::longest() const {
   return distance.empty() ? 0.0f : *std::max_element(distance.begin(), distance.end());
 }
 
-std::string Skeleton::check() const {
+std::string Skeleton::find_fault() const {
   std::size_t n = size();
   if (radius.size() != n || parent.size() != n || distance.size() != n || to_tip.size() != n ||
       birth.size() != n || order.size() != n)

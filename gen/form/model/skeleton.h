@@ -32,7 +32,7 @@ struct Skeleton {
   float longest() const;
 
   /// Checks all invariants: one line for the first violation, empty if there is none.
-  std::string check() const;
+  std::string find_fault() const;
 };
 
 /// Sets each node's distance: its length along the branches from the root.

@@ -45,7 +45,7 @@ Surface surface_at(const Solid& solid, float share) {
 Bounds bounds_of(const Solids& solids) {
   Bounds box;
   for (std::size_t i = 0; i < solids.size(); ++i)
-    for (const Vec3& at : solids.shapes[solids.shape[i]].surface.position) box.take(solids.placed(i, at));
+    for (const Vec3& at : solids.shapes[solids.shape[i]].surface.position) box.extend(solids.placed(i, at));
   return box;
 }
 
@@ -56,7 +56,7 @@ Bounds rough_bounds_of(const Solids& solids) {
   for (std::size_t i = 0; i < solids.size(); ++i) {
     const Bounds& shape = shapes[solids.shape[i]];
     if (shape.empty()) continue;  // it has no mesh
-    for (int k = 0; k < 8; ++k) box.take(solids.placed(i, shape.corner(k)));
+    for (int k = 0; k < 8; ++k) box.extend(solids.placed(i, shape.corner(k)));
   }
   return box;
 }
@@ -70,11 +70,11 @@ Solids grown_to(const Solids& solids, float share) {
   return now;
 }
 
-std::string Solids::check() const {
+std::string Solids::find_fault() const {
   if (shape.size() != size() || turn.size() != size() || scale.size() != size())
     return "the arrays of the solids differ in length";
   for (const Solid& solid : shapes) {
-    if (std::string fault = solid.surface.check(); !fault.empty()) return "solid: " + fault;
+    if (std::string fault = solid.surface.find_fault(); !fault.empty()) return "solid: " + fault;
     if (!(solid.material.scale > 0)) return "a solid's pattern has no size";
     if (!solid.light.empty() && solid.light.size() != solid.surface.position.size())
       return "not every vertex of a solid has its light";

@@ -90,7 +90,7 @@ struct Solids {
   void place(std::uint16_t which, Vec3 at = Vec3(0), Quat turned = Quat(1, 0, 0, 0), Vec3 sized = Vec3(1));
 
   /// Checks all invariants: one line for the first violation, empty if there is none.
-  std::string check() const;
+  std::string find_fault() const;
 };
 
 /// The bounding box of all placements.

@@ -7,7 +7,7 @@
 
 namespace frond {
 
-std::string Surface::check() const {
+std::string Surface::find_fault() const {
   if (normal.size() != position.size()) return "the arrays differ in length";
   if (!uv.empty() && uv.size() != position.size()) return "not every vertex has a place on the texture";
   if (!paint.empty() && paint.size() != triangle.size()) return "not every triangle has its paint";

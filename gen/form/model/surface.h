@@ -22,7 +22,7 @@ struct Surface {
   std::vector<std::array<Vec3, 3>> paint{};
 
   /// Checks all invariants: one line for the first violation, empty if there is none.
-  std::string check() const;
+  std::string find_fault() const;
 };
 
 /// The paint of a corner without any.

@@ -83,14 +83,14 @@ class Skin {
     }
   }
 
-  Accreted take() &&;
+  Accreted finish() &&;
 
  private:
   void grow(int layer);
   /// Finds out how open each place that grows is, or each one.
   void look(bool all);
   void resize() {
-    for (auto* list : {&open_, &lump_, &room_, &speed_, &laid_}) list->resize(mesh_.position.size(), 0);
+    for (auto* list : {&open_, &lump_, &clearance_, &speed_, &laid_}) list->resize(mesh_.position.size(), 0);
     alive_.resize(mesh_.position.size(), 1);
   }
   void keep() { past_.push_back(mesh_.position); }
@@ -106,12 +106,12 @@ class Skin {
   SkinMesh mesh_;
   float most_open_ = 1;
   // One entry for each vertex; in past_ a list of these for each step kept:
-  std::vector<char> alive_;   // whether a triangle still has the vertex
-  std::vector<float> open_;   // see Openness::openness()
-  std::vector<float> lump_;   // how much more than others the polyps of the vertex lay
-  std::vector<float> room_;   // metres that are free round the vertex, at least
-  std::vector<float> speed_;  // layers a layer
-  std::vector<float> laid_;   // the last layer in which the vertex moved much
+  std::vector<char> alive_;       // whether a triangle still has the vertex
+  std::vector<float> open_;       // see Openness::openness()
+  std::vector<float> lump_;       // how much more than others the polyps of the vertex lay
+  std::vector<float> clearance_;  // metres that are free round the vertex, at least
+  std::vector<float> speed_;      // layers a layer
+  std::vector<float> laid_;       // the last layer in which the vertex moved much
   std::vector<std::vector<Vec3>> past_;
 };
 
@@ -160,9 +160,9 @@ void Skin::grow(int layer) {
     speed *= 1 - smooth_step(0.8f, 1.1f, gone);
     speed = std::min(speed, 1.5f);
     if (speed > 1e-3f && world_.room) {
-      if (room_[v] < 3 * edge_) room_[v] = world_.room(at, 8 * edge_);
-      room_[v] = std::min(room_[v], 8 * edge_);
-      speed *= smooth_step(kMargin * edge_, 2 * edge_, room_[v]);
+      if (clearance_[v] < 3 * edge_) clearance_[v] = world_.room(at, 8 * edge_);
+      clearance_[v] = std::min(clearance_[v], 8 * edge_);
+      speed *= smooth_step(kMargin * edge_, 2 * edge_, clearance_[v]);
     }
     speed_[v] = speed;
   });
@@ -171,7 +171,7 @@ void Skin::grow(int layer) {
   for (std::size_t v = 0; v < count; ++v) {
     float speed = std::min(speed_[v] * 1.3f, 0.5f * speed_[v] + 0.5f * near[v]);
     mesh_.position[v] += mesh_.normal[v] * (speed * layer_);
-    if (room_[v] > 0) room_[v] -= 1.5f * layer_;
+    if (clearance_[v] > 0) clearance_[v] -= 1.5f * layer_;
     if (speed > 0.15f) laid_[v] = static_cast<float>(layer);
   }
   auto smoothing = static_cast<float>(law_.smoothing);
@@ -198,7 +198,7 @@ Vec3 Skin::before(std::size_t step, std::uint32_t vertex, std::vector<Vec3>& kno
   return known[vertex] = (before(step, a, known, is_known) + before(step, b, known, is_known)) * 0.5f;
 }
 
-Accreted Skin::take() && {
+Accreted Skin::finish() && {
   Accreted made;
   look(true);
   std::vector<std::uint32_t> order, list = mesh_.living(order);
@@ -221,7 +221,7 @@ Accreted Skin::take() && {
 }  // namespace
 
 Accreted accrete(const Accretion& law, const AccretionWorld& world, Seed seed) {
-  return Skin(law, world, seed).take();
+  return Skin(law, world, seed).finish();
 }
 
 }  // namespace frond

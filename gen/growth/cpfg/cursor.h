@@ -26,12 +26,12 @@ class GrammarCursor {
     skip();
     return text_.substr(at_).starts_with(word);
   }
-  bool take(std::string_view word) {
+  bool consume(std::string_view word) {
     if (!is_next(word)) return false;
     at_ += word.size();
     return true;
   }
-  char take_one() { return at_ < text_.size() ? text_[at_++] : '\0'; }
+  char read_char() { return at_ < text_.size() ? text_[at_++] : '\0'; }
   std::size_t position() const { return at_; }
   void go_to(std::size_t position) { at_ = position; }
   std::string_view rest() const { return text_.substr(at_); }
@@ -41,7 +41,7 @@ class GrammarCursor {
     while (at_ < text_.size() && (is_blank(text_[at_]) || text_[at_] == '\n')) ++at_;
   }
   /// The rest of the line, which is passed over.
-  std::string_view take_line() {
+  std::string_view read_line() {
     std::size_t end = std::min(text_.find('\n', at_), text_.size());
     std::string_view line = text_.substr(at_, end - at_);
     at_ = end;

@@ -87,7 +87,7 @@ class LabelReader {
     return {};
   }
   void skip() { rest_.remove_prefix(std::min(rest_.find('\n'), rest_.size() - 1) + 1); }
-  std::string_view take() {
+  std::string_view next_line() {
     std::string_view line = peek();
     if (!rest_.empty()) skip();
     return line;
@@ -123,7 +123,7 @@ int whole_after_colon(std::string_view line, int most) {
 Result<std::vector<ControlPoint>> read_points(LabelReader& file, int lines, std::size_t dimensions) {
   std::vector<ControlPoint> points;
   for (int i = 0; i < lines; ++i) {
-    std::string_view line = file.take();
+    std::string_view line = file.next_line();
     std::vector<float> numbers = numbers_of(line);
     if (numbers.size() < dimensions)
       return Error{"",
@@ -141,11 +141,11 @@ Result<std::vector<ControlPoint>> read_points(LabelReader& file, int lines, std:
 Result<NamedFunction> read_one(LabelReader& file, int samples) {
   NamedFunction read;
   while (!file.is_empty()) {
-    std::string_view line = file.take();
+    std::string_view line = file.next_line();
     if (line.starts_with("name:")) read.name = std::string(after_colon(line));
     if (line.starts_with("samples:")) samples = whole_after_colon(line, kMostSamples);
     if (line.starts_with("markers:"))
-      for (int i = whole_after_colon(line, kMostPoints); i > 0; --i) file.take();
+      for (int i = whole_after_colon(line, kMostPoints); i > 0; --i) file.next_line();
     if (!line.starts_with("points:")) continue;
     Result<std::vector<ControlPoint>> points = read_points(file, whole_after_colon(line, kMostPoints), 2);
     if (!points) return points.errors();
@@ -192,7 +192,7 @@ Result<std::vector<NamedFunction>> read_function_set(std::string_view text) {
   LabelReader file(text);
   int items = -1;
   while (!file.is_empty() && items < 0)
-    if (std::string_view line = file.take(); line.starts_with("items:"))
+    if (std::string_view line = file.next_line(); line.starts_with("items:"))
       items = whole_after_colon(line, 10'000);
   if (items < 0) return Error{"", "no `items:`; expected a set of functions"};
   std::vector<NamedFunction> functions;
@@ -210,7 +210,7 @@ Result<ContourFile> read_contour(std::string_view text, bool of_cylinder) {
   bool is_new = file.peek().starts_with("cver"), first = of_cylinder && file.peek().starts_with("cver 1 1");
   // The oldest form: how many points, of how many numbers, `closed` or `open`.
   if (std::vector<float> numbers = numbers_of(file.peek()); of_cylinder && numbers.size() >= 2) {
-    contour.closed = file.take().find("closed") != std::string_view::npos;
+    contour.closed = file.next_line().find("closed") != std::string_view::npos;
     int count = static_cast<int>(std::clamp(numbers[0], 0.0F, static_cast<float>(kMostPoints)));
     Result<std::vector<ControlPoint>> points = read_points(file, count, numbers[1] > 2 ? 3 : 2);
     if (!points) return points.errors();
@@ -222,7 +222,7 @@ Result<ContourFile> read_contour(std::string_view text, bool of_cylinder) {
   while (!file.is_empty()) {
     std::string_view line = file.peek();
     if (!numbers_of(line).empty() && lines > 0) break;
-    file.take();
+    file.next_line();
     std::string_view value = after_colon(line);
     if (line.starts_with("name:")) contour.name = std::string(value);
     if (line.starts_with("points:")) lines = whole_after_colon(line, kMostPoints);

@@ -187,7 +187,7 @@ namespace frond {
 namespace {
 
 /// `a-b step s, c-d step t`: from the first a to the last b, by the first step.
-void take_intervals(std::string value, CpfgFilm& film) {
+void read_intervals(std::string value, CpfgFilm& film) {
   std::ranges::replace(value, '-', ' ');
   std::string_view rest = value, last = rest.substr(rest.find_last_of(',') + 1);
   auto whole = [](double n) { return static_cast<int>(std::clamp(n, 0.0, 1e6)); };
@@ -210,7 +210,7 @@ CpfgFilm film_of(const CpfgModel& model, int steps) {
     if (line.key == "first frame") film.first = std::max(number(line), 0);
     if (line.key == "last frame") film.last = std::max(number(line), steps);
     if (line.key == "step") film.step = std::max(number(line), 1);
-    if (line.key == "frame intervals") take_intervals(line.value, film);
+    if (line.key == "frame intervals") read_intervals(line.value, film);
   }
   film.first = std::min(film.first, film.last);
   return film;

@@ -297,17 +297,17 @@ class FigureBuilder {
     turtle_.state = std::move(kept);
   }
 
-  template <class Take>
-  void for_each_place(const Take& take) const {
-    for (const CpfgSegment& s : figure_.segments) take(s.from, s.radius_from), take(s.to, s.radius_to);
+  template <class Visit>
+  void for_each_place(const Visit& visit) const {
+    for (const CpfgSegment& s : figure_.segments) visit(s.from, s.radius_from), visit(s.to, s.radius_to);
     for (const CpfgPolygon& polygon : figure_.polygons)
-      for (DVec3 p : polygon.points) take(p, 0);
+      for (DVec3 p : polygon.points) visit(p, 0);
     for (const CpfgSkin& skin : figure_.skins)
-      for (const Vec3& p : skin.mesh.position) take(DVec3(p), 0);
-    for (const CpfgRound& sphere : figure_.spheres) take(sphere.center, sphere.radius);
-    for (const CpfgRound& disc : figure_.discs) take(disc.center, disc.radius);
+      for (const Vec3& p : skin.mesh.position) visit(DVec3(p), 0);
+    for (const CpfgRound& sphere : figure_.spheres) visit(sphere.center, sphere.radius);
+    for (const CpfgRound& disc : figure_.discs) visit(disc.center, disc.radius);
     for (const CpfgPlaced& p : figure_.placed)
-      for (const Vec3& at : figure_.surfaces.at(p.surface).position) take(p.at(at), 0);
+      for (const Vec3& at : figure_.surfaces.at(p.surface).position) visit(p.at(at), 0);
   }
 
   /// The box round all that is drawn; without the thickness of lines where that is not known yet.

@@ -111,7 +111,7 @@ Result<TurtleSurface> finished(TurtleSurface surface) {
       return Error{"", "a point is farther than can be drawn"};
   set_normals(mesh);
   Bounds box;
-  for (const Vec3& p : mesh.position) box.take(p);
+  for (const Vec3& p : mesh.position) box.extend(p);
   Vec3 size = glm::max(box.size(), Vec3(1e-12f));
   for (const Vec3& p : mesh.position)
     mesh.uv.emplace_back((p.y - box.low.y) / size.y, (p.x - box.low.x) / size.x);

@@ -99,7 +99,7 @@ int GrammarReader::add_list(const std::vector<int>& nodes) {
   return static_cast<int>(code_.lists.size() - nodes.size());
 }
 
-std::string_view GrammarReader::take_name() {
+std::string_view GrammarReader::consume_name() {
   char c = cursor_.peek();
   bool letter = is_name_letter(c) && !(c >= '0' && c <= '9') && c != '_';
   std::string_view name = cursor_.rest().substr(0, letter ? name_length(cursor_.rest()) : 0);
@@ -118,9 +118,9 @@ int GrammarReader::read_formula() {
 
 int GrammarReader::read_choice() {
   int condition = read_binary(1);
-  if (failed() || !cursor_.take("?")) return condition;
+  if (failed() || !cursor_.consume("?")) return condition;
   int yes = read_formula();
-  if (!failed() && !cursor_.take(":")) fail(fmt::format("{}: expected `:` of `? :`", found()));
+  if (!failed() && !cursor_.consume(":")) fail(fmt::format("{}: expected `:` of `? :`", found()));
   int no = failed() ? -1 : read_formula();
   return add({FormulaKind::choice, condition, yes, no});
 }
@@ -132,7 +132,7 @@ int GrammarReader::read_binary(int strength) {
     const BinaryOperator* op = std::ranges::find_if(
         kBinaryOperators, [&](const BinaryOperator& row) { return cursor_.rest().starts_with(row.sign); });
     if (op == std::end(kBinaryOperators) || op->strength < strength) break;
-    cursor_.take(op->sign);
+    cursor_.consume(op->sign);
     int right = read_binary(op->strength + 1);
     left = add({op->kind, left, right});
   }
@@ -147,7 +147,7 @@ int GrammarReader::read_unary() {
     return -1;
   }
   if (++depth_ > kDeepestFormula) fail("formulas stand too deep in each other; expected at most 300 levels");
-  cursor_.take_one();
+  cursor_.read_char();
   bool more = std::string_view("-!&").find(cursor_.peek()) != std::string_view::npos;
   int node = failed() ? -1 : c == '!' && !more ? read_primary() : read_unary();
   --depth_;
@@ -156,9 +156,9 @@ int GrammarReader::read_unary() {
 
 int GrammarReader::read_primary() {
   char c = cursor_.peek();
-  if (cursor_.take("(")) {
+  if (cursor_.consume("(")) {
     int node = read_formula();
-    if (!failed() && !cursor_.take(")")) fail(fmt::format("{}: expected `)`", found()));
+    if (!failed() && !cursor_.consume(")")) fail(fmt::format("{}: expected `)`", found()));
     return node;
   }
   if ((c >= '0' && c <= '9') || c == '.') return read_number();
@@ -220,12 +220,12 @@ int GrammarReader::array_of(std::string_view name) const {
 int GrammarReader::read_name() {
   cursor_.peek();
   std::size_t from = cursor_.position();
-  std::string_view name = take_name();
+  std::string_view name = consume_name();
   if (name.empty()) {
     fail(fmt::format("{}: expected a number, a name or `(`", found()));
     return -1;
   }
-  if (cursor_.take("(")) return read_call(name, from);
+  if (cursor_.consume("(")) return read_call(name, from);
   bool formal = std::ranges::find(scope_.formals, name) != scope_.formals.end();
   if (int array = array_of(name); array >= 0 && !formal) return read_element(array, from);
   FormulaNode node{FormulaKind::variable};
@@ -235,10 +235,10 @@ int GrammarReader::read_name() {
 
 bool GrammarReader::read_list(char closing, std::vector<int>& nodes) {
   std::string sign(1, closing);
-  if (cursor_.take(sign)) return true;
+  if (cursor_.consume(sign)) return true;
   do nodes.push_back(read_formula());
-  while (!failed() && cursor_.take(","));
-  if (!failed() && !cursor_.take(sign)) fail(fmt::format("{}: expected `,` or `{}`", found(), closing));
+  while (!failed() && cursor_.consume(","));
+  if (!failed() && !cursor_.consume(sign)) fail(fmt::format("{}: expected `,` or `{}`", found(), closing));
   return !failed();
 }
 
@@ -265,9 +265,9 @@ int GrammarReader::read_call(std::string_view name, std::size_t from) {
 int GrammarReader::read_element(int array, std::size_t from) {
   const std::size_t sizes = system_->arrays[static_cast<std::size_t>(array)].sizes.size();
   std::vector<int> indices;
-  while (!failed() && cursor_.take("[")) {
+  while (!failed() && cursor_.consume("[")) {
     indices.push_back(read_formula());
-    if (!failed() && !cursor_.take("]")) fail(fmt::format("{}: expected `]`", found()));
+    if (!failed() && !cursor_.consume("]")) fail(fmt::format("{}: expected `]`", found()));
   }
   if (!failed() && indices.size() != sizes)
     fail_at(from, fmt::format("the array has {} indices here; expected {}", indices.size(), sizes));

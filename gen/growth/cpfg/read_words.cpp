@@ -29,15 +29,15 @@ bool GrammarReader::at_arrow() { return cursor_.is_next("-->") || cursor_.is_nex
 
 std::vector<ModuleText> GrammarReader::read_word(bool is_axiom) {
   std::vector<ModuleText> word;
-  if (cursor_.take("*")) return word;
+  if (cursor_.consume("*")) return word;
   std::size_t from = cursor_.position();
   while (!failed() && !cursor_.at_item_end() && !cursor_.is_next(":") && word.size() < kMostModules) {
     if (!is_axiom && at_arrow())
       fail(fmt::format("{}: two arrows in one production; a line that goes on begins with a tab", found()));
     if (!is_symbol(cursor_.peek())) fail(fmt::format("{}: expected a module", found()));
     if (failed()) break;
-    ModuleText module{cursor_.take_one()};
-    if (cursor_.take("(")) {
+    ModuleText module{cursor_.read_char()};
+    if (cursor_.consume("(")) {
       std::vector<int> formulas;
       read_list(')', formulas);
       if (!failed() && (formulas.empty() || formulas.size() > kMostParameters))
@@ -58,22 +58,22 @@ std::vector<ModuleText> GrammarReader::read_word(bool is_axiom) {
 
 void GrammarReader::read_formals(PatternModule& module) {
   module.first = static_cast<int>(scope_.formals.size());
-  if (!cursor_.take("(")) return;
+  if (!cursor_.consume("(")) return;
   do {
-    std::string_view name = take_name();
+    std::string_view name = consume_name();
     if (name.empty()) return fail(fmt::format("{}: expected the name of a parameter", found()));
     scope_.formals.emplace_back(name);
     ++module.count;
-  } while (cursor_.take(","));
-  if (!cursor_.take(")")) fail(fmt::format("{}: expected `,` or `)`", found()));
+  } while (cursor_.consume(","));
+  if (!cursor_.consume(")")) fail(fmt::format("{}: expected `,` or `)`", found()));
   if (module.count > kMostParameters) fail("a module has more than 255 parameters");
 }
 
 std::vector<PatternModule> GrammarReader::read_pattern() {
   std::vector<PatternModule> pattern;
-  if (cursor_.take("*")) return pattern;
+  if (cursor_.consume("*")) return pattern;
   while (!failed() && !cursor_.at_item_end() && !at_arrow() && is_symbol(cursor_.peek())) {
-    PatternModule module{cursor_.take_one()};
+    PatternModule module{cursor_.read_char()};
     read_formals(module);
     pattern.push_back(module);
   }
@@ -83,7 +83,7 @@ std::vector<PatternModule> GrammarReader::read_pattern() {
 void GrammarReader::read_condition(CpfgProduction& production) {
   if (cursor_.is_next("{")) production.before = read_block();
   if (failed() || at_arrow()) return fail("there is no condition before the arrow; expected one, or `*`");
-  if (!cursor_.take("*")) production.condition = read_formula();
+  if (!cursor_.consume("*")) production.condition = read_formula();
   if (!failed() && cursor_.is_next("{")) production.after = read_block();
   if (!failed() && cursor_.is_next("=")) fail("`=` assigns; a comparison is written `==`");
 }
@@ -94,22 +94,22 @@ void GrammarReader::read_production(ProductionSet& set) {
   CpfgProduction production;
   production.where = where(from);
   std::vector<PatternModule> first = read_pattern();
-  bool left = cursor_.take("<");
+  bool left = cursor_.consume("<");
   std::vector<PatternModule> second = left ? read_pattern() : std::vector<PatternModule>();
-  if (!failed() && cursor_.take(">")) production.right = read_pattern();
+  if (!failed() && cursor_.consume(">")) production.right = read_pattern();
   production.predecessor = left ? second : first;
   if (left) production.left = first;
   if (!failed() && production.predecessor.empty())
     return cursor_.go_to(from),
            fail(fmt::format("{}: expected a setting or a production `predecessor --> successor`", found()));
-  if (!failed() && cursor_.take(":")) read_condition(production);
-  bool arrow = !failed() && (cursor_.take("-->") || cursor_.take("-o>"));
+  if (!failed() && cursor_.consume(":")) read_condition(production);
+  bool arrow = !failed() && (cursor_.consume("-->") || cursor_.consume("-o>"));
   if (!failed() && !arrow && production.predecessor.back().symbol == '-' && !production.right.empty())
     fail("`->` is no arrow of cpfg; expected `-->`");
   if (!failed() && !arrow)
     fail(fmt::format("{}: expected `-->`; a line that goes on begins with a tab", found()));
   if (!failed()) production.successor = read_word(false);
-  if (!failed() && cursor_.take(":")) production.weight = read_formula();
+  if (!failed() && cursor_.consume(":")) production.weight = read_formula();
   if (!failed()) end_item("a production");
   if (!failed() && set.productions.size() >= kMostProductions) fail("more than 10,000 productions");
   if (failed()) return;

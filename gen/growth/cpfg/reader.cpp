@@ -50,9 +50,9 @@ std::string GrammarReader::found() {
   return fmt::format("found `{}`", rest.substr(0, std::min<std::size_t>(rest.find('\n'), 20)));
 }
 
-/// Takes words with blanks between them at will and a `:` behind. `capitals` has the other case for letters
-/// that may have either; blanks where they may not.
-bool GrammarReader::take_key(std::string_view words, std::string_view capitals) {
+/// Consumes words with blanks between them at will and a `:` behind. `capitals` has the other case for
+/// letters that may have either; blanks where they may not.
+bool GrammarReader::consume_key(std::string_view words, std::string_view capitals) {
   std::size_t from = cursor_.position();
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (words[i] == ' ') {
@@ -64,16 +64,16 @@ bool GrammarReader::take_key(std::string_view words, std::string_view capitals) 
       cursor_.go_to(from);
       return false;
     }
-    cursor_.take_one();
+    cursor_.read_char();
   }
-  if (cursor_.take(":")) return true;
+  if (cursor_.consume(":")) return true;
   cursor_.go_to(from);
   return false;
 }
 
-/// Takes a word that may begin with a capital, its `:` and, of a section with productions, `warnings` or `no
-/// warnings`. A production may follow in the line of such a section; behind other words the line ends.
-bool GrammarReader::take_section(std::string_view word, bool has_productions) {
+/// Consumes a word that may begin with a capital, its `:` and, of a section with productions, `warnings` or
+/// `no warnings`. A production may follow in the line of such a section; behind other words the line ends.
+bool GrammarReader::consume_section(std::string_view word, bool has_productions) {
   std::string_view rest = cursor_.rest();
   bool same =
       rest.size() >= word.size() && (rest[0] | 0x20) == word[0] && rest.substr(1).starts_with(word.substr(1));
@@ -96,7 +96,8 @@ void GrammarReader::end_item(std::string_view after) {
 
 void GrammarReader::read_characters(CpfgSystem& system, bool considered) {
   system.ignored.fill(considered);
-  while (!cursor_.at_item_end()) system.ignored[static_cast<unsigned char>(cursor_.take_one())] = !considered;
+  while (!cursor_.at_item_end())
+    system.ignored[static_cast<unsigned char>(cursor_.read_char())] = !considered;
 }
 
 std::int64_t GrammarReader::read_whole(std::string_view what) {
@@ -109,11 +110,11 @@ std::int64_t GrammarReader::read_whole(std::string_view what) {
 }
 
 bool GrammarReader::read_section_item(ProductionSet& set) {
-  if (take_key("maximum depth", "M       D    ")) {
+  if (consume_key("maximum depth", "M       D    ")) {
     std::int64_t depth = read_whole("the maximum depth");
     if (!failed() && depth > 1'000'000) fail("the maximum depth is to be at most 1,000,000");
     set.depth = static_cast<int>(std::clamp<std::int64_t>(depth, 0, 1'000'000));
-  } else if (take_key("seed", "S")) {
+  } else if (consume_key("seed", "S")) {
     set.seed = read_whole("the seed");
     set.has_seed = &set != &system_->decomposition;
   } else {
@@ -130,27 +131,27 @@ bool GrammarReader::read_item(CpfgSystem& system) {
     if (!failed()) end_item("a block");
     return true;
   };
-  if (take_section("ring lsystem")) return system.ring = true;
-  if (take_key("derivation length", "D          L")) {
+  if (consume_section("ring lsystem")) return system.ring = true;
+  if (consume_key("derivation length", "D          L")) {
     system.length = read_formula();
     if (!failed()) end_item("a number");
-  } else if (take_key("ignore", "I")) {
+  } else if (consume_key("ignore", "I")) {
     read_characters(system, false);
-  } else if (take_key("consider", "C")) {
+  } else if (consume_key("consider", "C")) {
     read_characters(system, true);
-  } else if (take_key("define", "D")) {
+  } else if (consume_key("define", "D")) {
     cursor_.skip_to_item();
     read_define();
     if (!failed()) end_item("a block");
-  } else if (take_key("start each", "S     E")) {
+  } else if (consume_key("start each", "S     E")) {
     return block(system.start_each);
-  } else if (take_key("start", "S")) {
+  } else if (consume_key("start", "S")) {
     return block(system.start);
-  } else if (take_key("end each", "E   E")) {
+  } else if (consume_key("end each", "E   E")) {
     return block(system.end_each);
-  } else if (take_key("end", "E")) {
+  } else if (consume_key("end", "E")) {
     return block(system.end);
-  } else if (take_key("axiom", "A")) {
+  } else if (consume_key("axiom", "A")) {
     if (system.has_axiom) fail("there are two axioms");
     system.axiom = read_word(true);
     system.has_axiom = true;
@@ -164,7 +165,7 @@ bool GrammarReader::read_item(CpfgSystem& system) {
 void GrammarReader::read_system() {
   CpfgSystem& system = *system_;
   section_ = &system.rules;
-  std::string_view label = without_blanks(cursor_.take_line());
+  std::string_view label = without_blanks(cursor_.read_line());
   std::size_t digits = std::min(label.find_first_not_of("0123456789"), label.size());
   system.number = digits > 0 && digits < 9 ? std::stoi(std::string(label.substr(0, digits)))
                                            : static_cast<int>(code_.systems.size());
@@ -174,15 +175,15 @@ void GrammarReader::read_system() {
     cursor_.skip_to_item();
     if (failed()) return;
     if (cursor_.at_end()) return fail("the L-system has no `endlsystem`");
-    if (take_section("endlsystem") || take_section("endLsystem")) break;
+    if (consume_section("endlsystem") || consume_section("endLsystem")) break;
     scope_ = {};
-    if (take_section("decomposition", true)) {
+    if (consume_section("decomposition", true)) {
       if (section_ == &system.homomorphism)
         return fail("the decomposition comes after the homomorphism; expected it before");
       section_ = &system.decomposition;
-    } else if (take_section("homomorphism", true)) {
+    } else if (consume_section("homomorphism", true)) {
       section_ = &system.homomorphism;
-    } else if (take_key("production", "P")) {
+    } else if (consume_key("production", "P")) {
       return fail("cpfg has no `production:`; this is a model of L-Py or of an older program");
     } else if (!read_section_item(*section_) && (section_ != &system.rules || !read_item(system))) {
       read_production(*section_);
@@ -194,7 +195,7 @@ void GrammarReader::read_system() {
 void GrammarReader::read() {
   cursor_.skip_to_item();
   while (!failed() && !cursor_.at_end()) {
-    if (!take_key("lsystem", "L"))
+    if (!consume_key("lsystem", "L"))
       return fail(fmt::format("{}: expected `Lsystem: 1`, with which a grammar of cpfg begins", found()));
     code_.systems.emplace_back();
     system_ = &code_.systems.back();

@@ -48,7 +48,7 @@ class GrammarReader {
   int add_list(const std::vector<int>& nodes);
   int slot_of(std::string_view name, FormulaKind& kind);
   int array_of(std::string_view name) const;
-  std::string_view take_name();
+  std::string_view consume_name();
 
   // read_block.cpp
   int read_block();
@@ -73,8 +73,8 @@ class GrammarReader {
   void read_system();
   bool read_item(CpfgSystem& system);
   bool read_section_item(ProductionSet& set);
-  bool take_key(std::string_view words, std::string_view capitals = {});
-  bool take_section(std::string_view word, bool has_productions = false);
+  bool consume_key(std::string_view words, std::string_view capitals = {});
+  bool consume_section(std::string_view word, bool has_productions = false);
   void read_characters(CpfgSystem& system, bool considered);
   std::int64_t read_whole(std::string_view what);
   void end_item(std::string_view after);

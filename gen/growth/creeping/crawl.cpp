@@ -94,7 +94,7 @@ void set_hung(Growing& g, Tip& tip) {
 }
 
 /// Takes what a tip has done in this step into the whole. False where there is no room for more nodes.
-bool take(Growing& g, std::int32_t t) {
+bool commit_step(Growing& g, std::int32_t t) {
   for (std::size_t k = 0; k < g.tips[t].laid.size(); ++k) {
     if (g.nodes.laid.size() >= g.crawl.most_nodes) return false;
     Laid laid = g.tips[t].laid[k];
@@ -180,7 +180,7 @@ Strands grow_strands(const TriangleSurface& host, const std::vector<Start>& star
   for (int step = 0; step < own.max_age && room && !g.alive.empty(); ++step) {
     step_all(g, step);
     std::size_t count = g.alive.size();
-    for (std::size_t i = 0; i < count && room; ++i) room = take(g, g.alive[i]);
+    for (std::size_t i = 0; i < count && room; ++i) room = commit_step(g, g.alive[i]);
     std::erase_if(g.alive, [&](std::int32_t t) { return !g.tips[t].alive; });
   }
   if (!room)

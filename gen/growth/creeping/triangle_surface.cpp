@@ -194,7 +194,7 @@ TriangleSurface& TriangleSurface::operator=(TriangleSurface&& other) noexcept {
 }
 
 /// Takes over the triangles; their tree is left as it is.
-void TriangleSurface::take(Soup&& soup) {
+void TriangleSurface::adopt(Soup&& soup) {
   assert(!soup.corners.empty() && soup.vertex.size() == soup.corners.size());
   assert(soup.neighbour.size() == soup.corners.size() && soup.solid.size() == soup.corners.size());
   corners_ = std::move(soup.corners);
@@ -239,7 +239,7 @@ Result<TriangleSurface> TriangleSurface::build(const Surface& surface, std::stri
     return Error{std::string(name),
                  fmt::format("none of the {} triangles has an area", surface.triangle.size())};
   TriangleSurface host;
-  host.take(Soup(soup));
+  host.adopt(Soup(soup));
   if (!host.tree_->build(host)) return Error{std::string(name), "Embree could not build its tree"};
   if (host.closed_) return host;
   // Open pieces are looked at from both sides, at 64 of their triangles or so.
@@ -259,7 +259,7 @@ Result<TriangleSurface> TriangleSurface::build(const Surface& surface, std::stri
     flip(soup, t);
     turned = true;
   }
-  if (turned) host.take(std::move(soup));
+  if (turned) host.adopt(std::move(soup));
   return host;
 }
 

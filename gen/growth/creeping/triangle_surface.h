@@ -89,7 +89,7 @@ class TriangleSurface {
  private:
   struct Tree;
   TriangleSurface();
-  void take(Soup&& soup);
+  void adopt(Soup&& soup);
   bool has_paint(int channel) const;
   double openness(std::uint32_t triangle, double side) const;
   DVec3 feature_normal(std::uint32_t triangle, int feature) const;

@@ -111,7 +111,7 @@ std::string place_of(std::string_view xml, std::ptrdiff_t offset, const std::str
 }
 
 /// Puts one parameter in its place; what is wrong with it, or empty.
-std::string take(ArbaroSpecies& species, std::string_view name, std::string_view value) {
+std::string set_parameter(ArbaroSpecies& species, std::string_view name, std::string_view value) {
   if (name == "LeafShape") return species.leaf_shape = value, "";
   if (name == "Species") return species.name = value, "";
   int level = -1;
@@ -173,9 +173,10 @@ Result<ArbaroSpecies> read_arbaro(std::string_view xml, const std::string& file_
   Errors errors;
   for (pugi::xml_node node : root.children()) {
     if (node.type() != pugi::node_element) continue;
-    std::string wrong = std::string_view(node.name()) == "param"
-                            ? take(species, node.attribute("name").value(), node.attribute("value").value())
-                            : fmt::format("unknown element <{}>; expected <param>", node.name());
+    std::string wrong =
+        std::string_view(node.name()) == "param"
+            ? set_parameter(species, node.attribute("name").value(), node.attribute("value").value())
+            : fmt::format("unknown element <{}>; expected <param>", node.name());
     if (!wrong.empty()) errors.push_back({place_of(xml, node.offset_debug(), file_name), wrong});
   }
   if (!errors.empty()) return errors;

@@ -172,7 +172,8 @@ Result<Skeleton> colonize(const Envelope& envelope, const Colonization& how, See
   return Colony(envelope, how, seed).grow(guides);
 }
 
-std::vector<LeafSite> dress_tips(const Skeleton& s, double reach, double spacing, double down, Seed seed) {
+std::vector<LeafSite> leaf_sites_near_tips(const Skeleton& s, double reach, double spacing, double down,
+                                           Seed seed) {
   assert(spacing > 0 && s.to_tip.size() == s.size());
   std::vector<LeafSite> leaves;
   for (std::size_t i = 0; i < s.size(); ++i) {

@@ -33,7 +33,7 @@ Result<Skeleton> colonize(const Envelope& envelope, const Colonization& how, See
 
 /// Leaves at the ends of branches: every `spacing` metres within `reach` of a tip, turned by the golden
 /// angle, at angle `down` from the branch.
-std::vector<LeafSite> dress_tips(const Skeleton& skeleton, double reach, double spacing, double down,
-                                 Seed seed);
+std::vector<LeafSite> leaf_sites_near_tips(const Skeleton& skeleton, double reach, double spacing,
+                                           double down, Seed seed);
 
 }  // namespace frond

@@ -35,7 +35,7 @@ class PathReader {
         command = command == 'M' ? 'L' : 'l';  // further points of a move are lines
       }
       if (outlines_.empty() && command != 'M' && command != 'm') return fault("M or m to begin with");
-      if (!draw(command)) return fault(wanted_);
+      if (!run_command(command)) return fault(wanted_);
     }
     return std::move(outlines_);
   }
@@ -87,7 +87,7 @@ class PathReader {
     }
   }
 
-  bool draw(char command) {
+  bool run_command(char command) {
     bool relative = std::islower(static_cast<unsigned char>(command));
     char upper = static_cast<char>(std::toupper(static_cast<unsigned char>(command)));
     Vec2 hint = pen_;

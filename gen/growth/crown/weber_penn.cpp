@@ -49,7 +49,7 @@ class Grower {
 
   Result<Crown> grow() {
     Whorl whorl;
-    for (int i = 0; i < tree_.trunks && !full_; ++i) draw_trunk(i, whorl);
+    for (int i = 0; i < tree_.trunks && !full_; ++i) add_trunk(i, whorl);
     if (full_)
       return Error{"", fmt::format("the tree has more than {} nodes or {} leaves; fewer branches, splits, "
                                    "segments or leaves",
@@ -61,7 +61,7 @@ class Grower {
   }
 
  private:
-  void draw_trunk(int i, Whorl& whorl) {
+  void add_trunk(int i, Whorl& whorl) {
     const StemLevel& level = tree_.stem(0);
     // The first has the addresses that it has when it stands alone.
     Seed seed = i == 0 ? seed_ : seed_.child("trunk", static_cast<std::uint64_t>(i));
@@ -82,7 +82,7 @@ class Grower {
       trunk.foot = DVec3(0);
     }
     bare_ = std::min(tree_.base_size * scale_, trunk.length);
-    draw(trunk);
+    add_stem(trunk);
   }
 
   bool inside(DVec3 p) const {
@@ -127,7 +127,7 @@ class Grower {
     return stem.level == 0 ? r * flare_factor(tree_.flare, z) : r;
   }
 
-  void draw(const Stem& stem) {
+  void add_stem(const Stem& stem) {
     assert(stem.length > 0 && stem.radius >= 0 && stem.level < tree_.levels);
     assert(stem.below >= Skeleton::kRoot && stem.below < static_cast<std::int32_t>(crown_.skeleton.size()));
     if (full_) return;
@@ -148,7 +148,7 @@ class Grower {
             node_at[static_cast<std::size_t>(chain.from)][static_cast<std::size_t>(chain.first - from.first)];
       }
       std::vector<double> places = last ? std::vector<double>{} : places_of_children(stem, chain);
-      std::vector<std::int32_t> child_nodes = draw_chain(stem, chain, below, places, node_at[c]);
+      std::vector<std::int32_t> child_nodes = add_chain(stem, chain, below, places, node_at[c]);
       if (full_) return;
       Seed seed = stem.seed.child("children", c);
       if (last)
@@ -212,8 +212,8 @@ class Grower {
 
   /// Adds the nodes of a chain: at its segments' ends, between them and at `places`. Returns the node at each
   /// place, or those along the chain where none are asked for.
-  std::vector<std::int32_t> draw_chain(const Stem& stem, const StemChain& chain, std::int32_t below,
-                                       const std::vector<double>& places, std::vector<std::int32_t>& ends) {
+  std::vector<std::int32_t> add_chain(const Stem& stem, const StemChain& chain, std::int32_t below,
+                                      const std::vector<double>& places, std::vector<std::int32_t>& ends) {
     int res = tree_.stem(stem.level).curve_res, pieces = tree_.smoothing;
     std::vector<double> stops;
     for (int k = 0; k <= (res - chain.first) * pieces; ++k)
@@ -285,7 +285,7 @@ class Grower {
       down *= factor_along(next.angle_along, child.offset);
       double round = whorl.next(next.rotate, next.rotate_v, child.seed.child("rotate"));
       child.turn = glm::normalize(chain.frame(places[i]) * about_y(round) * about_x(down));
-      if (prune(child)) draw(child);
+      if (prune(child)) add_stem(child);
     }
   }
 

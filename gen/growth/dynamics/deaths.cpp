@@ -62,8 +62,9 @@ double exposure_of(const Canopy& canopy, const StandTree& tree, double toward) {
   return 1 - 0.8 * shelter;
 }
 
-void blow(std::vector<TreeDeath>& deaths, std::span<const StandTree> trees,
-          std::span<const TreeSpecies> species, const Canopy& canopy, const YearGust& gust, Seed seed) {
+void add_storm_deaths(std::vector<TreeDeath>& deaths, std::span<const StandTree> trees,
+                      std::span<const TreeSpecies> species, const Canopy& canopy, const YearGust& gust,
+                      Seed seed) {
   std::vector<std::size_t> thrown;
   for (std::size_t i = 0; i < trees.size(); ++i) {
     const StandTree& tree = trees[i];

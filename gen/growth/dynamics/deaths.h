@@ -31,8 +31,9 @@ double exposure_of(const Canopy& canopy, const StandTree& tree, double toward);
 
 /// Trees that a gust throws or breaks, and those that these strike as they fall. Those that have died already
 /// stay as they are.
-void blow(std::vector<TreeDeath>& deaths, std::span<const StandTree> trees,
-          std::span<const TreeSpecies> species, const Canopy& canopy, const YearGust& gust, Seed seed);
+void add_storm_deaths(std::vector<TreeDeath>& deaths, std::span<const StandTree> trees,
+                      std::span<const TreeSpecies> species, const Canopy& canopy, const YearGust& gust,
+                      Seed seed);
 
 /// Slender evergreens that snow breaks; `load` is 1 in a mean winter (Päätalo et al. 1999: from 80 of
 /// height over diameter on).

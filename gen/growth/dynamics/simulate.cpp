@@ -139,12 +139,13 @@ std::vector<TreeDeath> deaths_of(const StandNow& now, const Canopy& canopy, int 
           seed.child("cut", tree.life).unit() < event.share)
         deaths[i] = {.cause = DeathCause::cut};
   });
-  blow(deaths, now.trees, now.species, canopy, gust_of(now, year, seed.child("gust")), seed.child("blow"));
+  add_storm_deaths(deaths, now.trees, now.species, canopy, gust_of(now, year, seed.child("gust")),
+                   seed.child("blow"));
   return deaths;
 }
 
 /// Storms come at the end of a year, other deaths at any time of it.
-void take_dead(StandNow& now, const std::vector<TreeDeath>& deaths, int year, Seed seed) {
+void remove_dead(StandNow& now, const std::vector<TreeDeath>& deaths, int year, Seed seed) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < now.trees.size(); ++i) {
     const StandTree& tree = now.trees[i];
@@ -161,7 +162,7 @@ void take_dead(StandNow& now, const std::vector<TreeDeath>& deaths, int year, Se
 }
 
 /// What is pruned at the beginning of a year.
-void take_limbs(StandNow& now, int year) {
+void prune_limbs(StandNow& now, int year) {
   for (const StandEvent& event : now.options.events) {
     if (event.year != year || !event.pruned) continue;
     for (StandTree& tree : now.trees)
@@ -172,10 +173,10 @@ void take_limbs(StandNow& now, int year) {
 
 void step(StandNow& now, int year) {
   Seed seed = now.seed.child("year", static_cast<std::uint64_t>(year));
-  take_limbs(now, year);
+  prune_limbs(now, year);
   Canopy canopy = canopy_of(now.trees, now.species, now.grid);
   // What dies in a year has not grown in it.
-  take_dead(now, deaths_of(now, canopy, year, seed), year, seed.child("dead"));
+  remove_dead(now, deaths_of(now, canopy, year, seed), year, seed.child("dead"));
   parallel_for(now.trees.size(),
                [&](std::size_t i) { grow_year(now.trees[i], now.species[now.trees[i].species], canopy); });
   std::vector<Recruit> recruits;

@@ -22,7 +22,7 @@ bool holds(const Expression& formula, const Test& test) {
                      [&](const Instruction& i) { return test(i.op); });
 }
 
-bool draws(const Expression& formula) {
+bool is_random(const Expression& formula) {
   return holds(formula, [](Op op) { return op == Op::rand || op == Op::nrand; });
 }
 
@@ -51,7 +51,7 @@ class Compiler {
     if (!errors_.empty()) return errors_;
     grammar_.making.resize(grammar_.symbols.size());
     summarize();
-    grammar_.warnings = find_idle(grammar_);
+    grammar_.warnings = review_warnings(grammar_);
     for (const RuleSet* set : {&grammar_.rules, &grammar_.decomposition, &grammar_.interpretation})
       find_shadowed(*set, grammar_.warnings);
     return std::move(grammar_);
@@ -116,7 +116,7 @@ class Compiler {
   }
 
   bool read_constant(const std::string& name, Cursor& reader) {
-    Constant constant{name, {}, reader.take("["), 0};
+    Constant constant{name, {}, reader.consume("["), 0};
     do {
       std::size_t start = reader.at;
       Expression formula = read_expression(reader, {{}, modules_.constants});
@@ -125,8 +125,9 @@ class Compiler {
       if (!reader.failed() && !std::isfinite(formula.value))
         reader.fail("this is not a finite number", start);
       constant.values.push_back(formula.value);
-    } while (constant.array && !reader.failed() && reader.take(","));
-    if (constant.array && !reader.failed() && !reader.take("]")) reader.fail("a `]` is missing", reader.at);
+    } while (constant.array && !reader.failed() && reader.consume(","));
+    if (constant.array && !reader.failed() && !reader.consume("]"))
+      reader.fail("a `]` is missing", reader.at);
     if (!reader.failed() && !reader.at_end()) reader.fail("this does not belong to the formula", reader.at);
     if (reader.failed()) return false;
     if (constant.array) {
@@ -317,7 +318,7 @@ class Compiler {
     auto names_of = [&](const std::string& text, std::string_view where) {
       std::vector<std::string_view> names;
       Cursor reader{text};
-      while (!reader.at_end() && !reader.failed()) names.push_back(modules_.take_name(reader));
+      while (!reader.at_end() && !reader.failed()) names.push_back(modules_.consume_name(reader));
       note(reader, where);
       return names;
     };
@@ -375,8 +376,8 @@ class Compiler {
         g.context_free &= rule.context_free();
         g.limited |= rule.limit != GrammarText::kUnlimited;
         g.single &= rule.always();
-        g.stochastic |= rule.weighted || draws(rule.condition);
-        for (const Expression& argument : rule.arguments) g.stochastic |= draws(argument);
+        g.stochastic |= rule.weighted || is_random(rule.condition);
+        for (const Expression& argument : rule.arguments) g.stochastic |= is_random(argument);
       }
     }
     for (const auto& of : g.rules.of) g.single &= of.size() <= 1;

@@ -96,13 +96,13 @@ class Parser {
   /// `a or b` is 1 as soon as a is true; `a and b` 0 as soon as a is false: the rest is not evaluated.
   void read_or() {
     read_and();
-    while (!in_.failed() && (in_.take("||") || take_word("or")))
+    while (!in_.failed() && (in_.consume("||") || consume_word("or")))
       read_second(Op::jump_if_true, &Parser::read_and);
   }
 
   void read_and() {
     read_comparison();
-    while (!in_.failed() && (in_.take("&&") || take_word("and")))
+    while (!in_.failed() && (in_.consume("&&") || consume_word("and")))
       read_second(Op::jump_if_false, &Parser::read_comparison);
   }
 
@@ -133,7 +133,7 @@ class Parser {
     for (bool more = true; more && !in_.failed();) {
       more = false;
       for (const Sign& sign : kSigns) {
-        if (!in_.take(sign.text)) continue;
+        if (!in_.consume(sign.text)) continue;
         read_sum();
         emit({sign.op});
         more = true;
@@ -145,9 +145,9 @@ class Parser {
   void read_sum() {
     read_product();
     while (!in_.failed()) {
-      if (in_.take("+"))
+      if (in_.consume("+"))
         read_product(), emit({Op::add});
-      else if (in_.take("-"))
+      else if (in_.consume("-"))
         read_product(), emit({Op::subtract});
       else
         return;
@@ -159,11 +159,11 @@ class Parser {
     while (!in_.failed()) {
       in_.skip_blanks();
       auto sign = static_cast<std::uint32_t>(in_.at);
-      if (in_.take("*"))
+      if (in_.consume("*"))
         read_sign(), emit({Op::multiply});
-      else if (in_.take("/"))
+      else if (in_.consume("/"))
         read_sign(), emit({Op::divide, 0, sign});
-      else if (in_.take("%"))
+      else if (in_.consume("%"))
         read_sign(), emit({Op::modulo, 0, sign});
       else
         return;
@@ -173,11 +173,11 @@ class Parser {
   void read_sign() {
     if (++depth_ > 40) in_.fail("the formula is nested too deeply; split it with constants", in_.at);
     if (!in_.failed()) {
-      if (in_.take("-"))
+      if (in_.consume("-"))
         read_sign(), emit({Op::negate});
-      else if (in_.take("+"))
+      else if (in_.consume("+"))
         read_sign();
-      else if (in_.take("!") || take_word("not"))
+      else if (in_.consume("!") || consume_word("not"))
         read_sign(), emit({Op::logical_not});
       else
         read_power();
@@ -187,20 +187,20 @@ class Parser {
 
   void read_power() {
     read_value();
-    if (!in_.failed() && in_.take("^")) read_sign(), emit({Op::power});
+    if (!in_.failed() && in_.consume("^")) read_sign(), emit({Op::power});
   }
 
   void read_value() {
     in_.skip_blanks();
     std::size_t start = in_.at;
-    if (in_.take("(")) {
+    if (in_.consume("(")) {
       read_or();
-      if (!in_.failed() && !in_.take(")")) in_.fail("a `)` is missing for the `(` here", start);
+      if (!in_.failed() && !in_.consume(")")) in_.fail("a `)` is missing for the `(` here", start);
       return;
     }
     char c = start < in_.text.size() ? in_.text[start] : '\0';
     if (is_digit(c) || c == '.') return read_number();
-    std::string_view name = take_identifier(in_);
+    std::string_view name = consume_identifier(in_);
     if (name.empty()) return in_.fail("a number, a name or `(` is expected", start);
     if (in_.at < in_.text.size() && in_.text[in_.at] == '(') return read_call(name, start);
     if (in_.at < in_.text.size() && in_.text[in_.at] == '[') return read_element(name, start);
@@ -244,25 +244,25 @@ class Parser {
   void read_element(std::string_view name, std::size_t start) {
     const Constant* constant = find(name);
     if (!constant || !constant->array) return in_.fail(fmt::format("`{}` is not an array", name), start);
-    in_.take("[");
+    in_.consume("[");
     read_or();
-    if (!in_.failed() && !in_.take("]")) return in_.fail("a `]` is missing", in_.at);
+    if (!in_.failed() && !in_.consume("]")) return in_.fail("a `]` is missing", in_.at);
     emit({Op::element, constant->table, static_cast<std::uint32_t>(start)});
   }
 
   void read_ramp(std::size_t start) {
-    std::string_view name = take_identifier(in_);
+    std::string_view name = consume_identifier(in_);
     const Constant* constant = find(name);
     if (!constant || !constant->array)
       return in_.fail("ramp(array, position from 0 to 1) needs an array among the constants", start);
-    if (!in_.take(",")) return in_.fail("ramp(array, position from 0 to 1) takes 2 parameters", start);
+    if (!in_.consume(",")) return in_.fail("ramp(array, position from 0 to 1) takes 2 parameters", start);
     read_or();
-    if (!in_.failed() && !in_.take(")")) return in_.fail("a `)` is missing", in_.at);
+    if (!in_.failed() && !in_.consume(")")) return in_.fail("a `)` is missing", in_.at);
     emit({Op::ramp, constant->table});
   }
 
   void read_call(std::string_view name, std::size_t start) {
-    in_.take("(");
+    in_.consume("(");
     if (name == "ramp") return read_ramp(start);
     const Function* function =
         std::find_if(kFunctions.begin(), kFunctions.end(), [&](const Function& f) { return f.name == name; });
@@ -275,12 +275,12 @@ class Parser {
       return in_.fail(fmt::format("there is no function `{}`; {}", name, hint), start);
     }
     std::size_t count = 0;
-    if (!in_.take(")")) {
+    if (!in_.consume(")")) {
       do {
         read_or();
         if (++count > 2 && function->most > 2) emit({function->op});
-      } while (!in_.failed() && in_.take(","));
-      if (!in_.failed() && !in_.take(")")) in_.fail("a `)` is missing", in_.at);
+      } while (!in_.failed() && in_.consume(","));
+      if (!in_.failed() && !in_.consume(")")) in_.fail("a `)` is missing", in_.at);
     }
     if (in_.failed()) return;
     if (count < function->least || count > function->most)
@@ -290,7 +290,7 @@ class Parser {
     emit({function->op});
   }
 
-  bool take_word(std::string_view word) {
+  bool consume_word(std::string_view word) {
     in_.skip_blanks();
     std::size_t end = in_.at + word.size();
     if (in_.text.substr(in_.at, word.size()) != word) return false;
@@ -313,7 +313,7 @@ void Cursor::skip_blanks() {
     ++at;
 }
 
-bool Cursor::take(std::string_view word) {
+bool Cursor::consume(std::string_view word) {
   skip_blanks();
   if (text.substr(at, word.size()) != word) return false;
   at += word.size();
@@ -331,7 +331,7 @@ bool is_identifier(std::string_view name) {
   return std::all_of(name.begin(), name.end(), [](char c) { return is_letter(c) || is_digit(c); });
 }
 
-std::string_view take_identifier(Cursor& reader) {
+std::string_view consume_identifier(Cursor& reader) {
   reader.skip_blanks();
   std::size_t end = reader.at;
   while (end < reader.text.size() &&

@@ -113,7 +113,7 @@ struct Cursor {
   bool failed() const { return !mistake.empty(); }
   void skip_blanks();
   /// Skips blanks and then `word`, if it is next.
-  bool take(std::string_view word);
+  bool consume(std::string_view word);
   bool at_end() { return skip_blanks(), at >= text.size(); }
   /// Stores the first mistake only.
   void fail(std::string what, std::size_t where);
@@ -126,6 +126,6 @@ Expression read_expression(Cursor& reader, const Scope& scope);
 bool is_identifier(std::string_view name);
 
 /// Reads an identifier after blanks; empty where there is none.
-std::string_view take_identifier(Cursor& reader);
+std::string_view consume_identifier(Cursor& reader);
 
 }  // namespace frond

@@ -33,7 +33,7 @@ struct Measure {
   void end(const TurtleState& state) { stats.end_positions.push_back(state.position); }
 
   /// A line that is not finite leaves its mark on the total length.
-  Errors check(const TurtleState& end) const {
+  Errors find_infinite(const TurtleState& end) const {
     bool good =
         std::isfinite(stats.total_length) && finite(end.heading) && finite(end.left) && finite(end.up);
     for (DVec3 place : stats.end_positions) good &= finite(place);
@@ -186,7 +186,7 @@ Result<TurtleStats> stats_of(const Grammar& grammar, double steps, Seed seed, co
   Measure measure;
   Result<TurtleState> end = draw_between(grammar, steps, seed, measure, limits);
   if (!end) return end.errors();
-  if (Errors errors = measure.check(*end); !errors.empty()) return errors;
+  if (Errors errors = measure.find_infinite(*end); !errors.empty()) return errors;
   return measure.finish(*end);
 }
 

@@ -76,7 +76,7 @@ class FractintReader {
     g_.axiom.clear();
     for (const Line& line : entry.lines)
       if (std::optional<Error> odd = odd_sign(line)) errors_.push_back(std::move(*odd));
-    for (const Line& line : entry.lines) take_line(line);
+    for (const Line& line : entry.lines) read_line(line);
     if (!has_axiom_) errors_.push_back({"", fmt::format("the L-system `{}` has no axiom", entry.name)});
     if (!(angles_ > 0)) errors_.push_back({"", fmt::format("the L-system `{}` has no angle", entry.name)});
     if (!errors_.empty()) return std::move(errors_);
@@ -87,7 +87,7 @@ class FractintReader {
       errors_.push_back({"",
                          "F and G turn by + and -, D and M by \\ and /, each with a heading of their own; "
                          "both in one L-system cannot be had here"});
-    for (const auto& [sign, line] : idle_)
+    for (const auto& [sign, line] : meaningless_)
       g_.notes.push_back({fmt::format("line {}", line), fmt::format("`{}` means nothing to Fractint", sign)});
     g_.notes.push_back(
         {"file", fmt::format("Fractint asks for the order; {} is taken, --steps sets another", kUsualOrder)});
@@ -105,7 +105,7 @@ class FractintReader {
     errors_.push_back({place_in(line, part), std::move(what)});
   }
 
-  void take_line(const Line& line) {
+  void read_line(const Line& line) {
     std::size_t end = std::min(line.text.find_first_of(" \t="), line.text.size());
     std::string key = upper(line.text.substr(0, end));
     std::string_view value = trim(line.text.substr(end));
@@ -194,7 +194,7 @@ class FractintReader {
       return std::string(static_cast<std::size_t>(std::clamp(value.value_or(1), 0.0, 255.0)),
                          c == '<' ? '\'' : ',');
     std::string name = name_of(c);
-    if (name.empty()) idle_.try_emplace(c, line.number);
+    if (name.empty()) meaningless_.try_emplace(c, line.number);
     return name;
   }
 
@@ -212,7 +212,7 @@ class FractintReader {
   GrammarText g_;
   Line axiom_;
   std::map<char, std::vector<Part>> rules_;
-  std::map<char, int> idle_;
+  std::map<char, int> meaningless_;
   Errors errors_;
   int angles_ = 0;
   bool has_axiom_ = false, counted_ = false, absolute_ = false;

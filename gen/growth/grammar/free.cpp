@@ -78,7 +78,7 @@ class Table {
 };
 
 /// The outcome at the place of index `i`; none where the module stays.
-inline const Outcome* draw(const Choice& choice, Seed seed, std::size_t i) {
+inline const Outcome* sample(const Choice& choice, Seed seed, std::size_t i) {
   if (choice.count == 0) return nullptr;
   if (!choice.sums) return choice.outcomes;
   double lot = seed.child(i).unit() * choice.total;
@@ -104,7 +104,7 @@ struct FreeStep {
     Place sum;
     for (std::size_t i = first; i < last; ++i) {
       SymbolId symbol = in.symbols[i];
-      const Outcome* outcome = draw(table[symbol], seed, i);
+      const Outcome* outcome = sample(table[symbol], seed, i);
       sum.parameters_in += table.arity(symbol);
       sum.symbols_out += outcome ? outcome->length : 1;
       sum.parameters_out += outcome ? outcome->parameters : table.arity(symbol);
@@ -124,7 +124,7 @@ struct FreeStep {
     double wrong = 0;  // not 0 as soon as something is not finite
     for (std::size_t i = first; i < last; ++i) {
       SymbolId symbol = in.symbols[i];
-      const Outcome* outcome = draw(table[symbol], seed, i);
+      const Outcome* outcome = sample(table[symbol], seed, i);
       std::uint32_t arity = table.arity(symbol);
       if (!outcome) {
         *symbols++ = symbol;

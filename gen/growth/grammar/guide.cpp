@@ -102,7 +102,7 @@ std::vector<GuidePoint> bent(const std::vector<GuidePoint>& points) {
   return all;
 }
 
-void take_on(const GuidePoint& point, std::int32_t index, TurtleState& turtle) {
+void apply_point(const GuidePoint& point, std::int32_t index, TurtleState& turtle) {
   if (point.radius) turtle.width = 2 * *point.radius, turtle.width_here = -1;
   if (point.angle) turtle.angle = *point.angle;
   if (point.elasticity) turtle.elasticity = *point.elasticity;
@@ -215,7 +215,7 @@ std::span<const std::int32_t> follow(const Guide& guide, TurtleState& turtle) {
   std::span<const std::int32_t> children = guide.children(target);
   bool there = glm::distance(turtle.position, point.at) <= guide.tolerance;
   if (there || (children.empty() && !guide.reach_ends)) {
-    take_on(point, target, turtle);
+    apply_point(point, target, turtle);
     if (!children.empty()) return children;
     turtle.length = turtle.own_length;
     turtle.target = TurtleState::kFree;

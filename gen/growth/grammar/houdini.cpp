@@ -47,31 +47,31 @@ constexpr Scale kScales[] = {{"\"_", "stepscale", &GrammarText::length_scale},
                              {";@", "anglescale", &GrammarText::angle_scale}};
 
 /// Values that say how meshes are made, or that others here replace.
-constexpr std::string_view kIdle[] = {"type",
-                                      "rows",
-                                      "columns",
-                                      "cols",
-                                      "tension",
-                                      "branchblend",
-                                      "smooth",
-                                      "contangl",
-                                      "contlength",
-                                      "contwidth",
-                                      "inc",
-                                      "continuousangles",
-                                      "continuouslength",
-                                      "docolor",
-                                      "applycolor",
-                                      "uvincrement",
-                                      "groupprefix",
-                                      "grpprefix",
-                                      "continuouswidth",
-                                      "colormap",
-                                      "imagefile",
-                                      "pointwidth",
-                                      "dotexture",
-                                      "vertinc",
-                                      "pictop"};
+constexpr std::string_view kIgnored[] = {"type",
+                                         "rows",
+                                         "columns",
+                                         "cols",
+                                         "tension",
+                                         "branchblend",
+                                         "smooth",
+                                         "contangl",
+                                         "contlength",
+                                         "contwidth",
+                                         "inc",
+                                         "continuousangles",
+                                         "continuouslength",
+                                         "docolor",
+                                         "applycolor",
+                                         "uvincrement",
+                                         "groupprefix",
+                                         "grpprefix",
+                                         "continuouswidth",
+                                         "colormap",
+                                         "imagefile",
+                                         "pointwidth",
+                                         "dotexture",
+                                         "vertinc",
+                                         "pictop"};
 
 bool is_one_of(std::span<const std::string_view> names, std::string_view name) {
   return !name.empty() && std::ranges::find(names, name) != names.end();
@@ -118,10 +118,10 @@ class HoudiniReader {
       if (std::optional<Error> odd = odd_sign(line)) errors_.push_back(std::move(*odd));
     if (!errors_.empty()) return std::move(errors_);
     for (const Line& line : lines)
-      if (!take_setting(line)) read_rule(line);
+      if (!read_setting(line)) read_rule(line);
     if (rules_.empty()) return Error{"", "there is no rule `A=…`; this is not a Houdini rule list"};
     if (g_.axiom.empty()) fail({}, "there is no `premise: …`");
-    take_names();
+    add_named_constants();
     tell();
     finish();
     if (!errors_.empty()) return std::move(errors_);
@@ -135,8 +135,8 @@ class HoudiniReader {
   void note(std::string what) { g_.notes.push_back({"file", std::move(what)}); }
   bool given(std::string_view name) const { return std::ranges::find(given_, name) != given_.end(); }
 
-  /// Takes a line `name: value`; false where it is none.
-  bool take_setting(const Line& line) {
+  /// Reads a line `name: value`; false where it is none.
+  bool read_setting(const Line& line) {
     std::size_t colon = line.text.find(':');
     if (colon == line.text.npos || line.text.substr(0, colon).find_first_of("=<>(") != line.text.npos)
       return false;
@@ -150,18 +150,18 @@ class HoudiniReader {
       return fail_words(line), true;
     }
     if (name == "ignore" || name == "contextignore") return g_.ignore = value, true;
-    if (is_one_of(kIdle, name)) return note(fmt::format("`{}` has no effect here", label)), true;
-    if (name == "generations") return take_steps(g_, number, line, errors_), true;
+    if (is_one_of(kIgnored, name)) return note(fmt::format("`{}` has no effect here", label)), true;
+    if (name == "generations") return read_steps(g_, number, line, errors_), true;
     if (name == "seed" || name == "randomseed" || name == "randseed")
-      return take_count(g_.seed, number, kMostSeed, line, errors_), true;
+      return read_count(g_.seed, number, kMostSeed, line, errors_), true;
     if (name.size() == 4 && name.starts_with("var")) label = label.substr(label.size() - 1);
     if (!number) return false;
     if (label.size() == 1 && label.find_first_of("abcdefghijklmnopqrstuvwxyz") == 0)
       return g_.constants.emplace_back(label, value), true;
-    return take_number(name, *number);
+    return set_number(name, *number);
   }
 
-  bool take_number(const std::string& name, double value) {
+  bool set_number(const std::string& name, double value) {
     for (const NodeNumber& known : kNumbers) {
       if (!is_one_of(known.names, name)) continue;
       g_.*known.value = value;
@@ -175,7 +175,7 @@ class HoudiniReader {
   }
 
   void fail_words(const Line& line) {
-    for (HoudiniWords::Refusal& fault : words_.take_faults())
+    for (HoudiniWords::Refusal& fault : words_.release_faults())
       errors_.push_back({place_in(line, fault.where), std::move(fault.what)});
   }
 
@@ -204,7 +204,7 @@ class HoudiniReader {
   }
 
   /// Values of the node that formulas use by name.
-  void take_names() {
+  void add_named_constants() {
     auto add = [&](char name, std::optional<double> value) {
       auto known = [&](const auto& constant) { return constant.first == std::string(1, name); };
       if (words_.names.find(name) != std::string::npos && value && std::ranges::none_of(g_.constants, known))

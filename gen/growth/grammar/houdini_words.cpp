@@ -121,7 +121,7 @@ std::string HoudiniWords::formula(std::string_view text, const std::vector<std::
   std::string out;
   for (std::size_t i = 0; i < text.size();) {
     Cursor reader{text, i};
-    std::string_view found = take_identifier(reader);
+    std::string_view found = consume_identifier(reader);
     bool letter = !found.empty() && found.data() == text.data() + i;
     if (letter) {
       i += found.size();

@@ -22,7 +22,7 @@ class HoudiniWords {
     std::string what;
     std::string_view where;  ///< a part of the text that was given
   };
-  std::vector<Refusal> take_faults() { return std::exchange(faults_, {}); }
+  std::vector<Refusal> release_faults() { return std::exchange(faults_, {}); }
 
   std::string used, bare;               ///< symbols that occurred; those that did without a parameter
   std::string names;                    ///< variables of the node that occurred

@@ -63,8 +63,8 @@ Error not_a_count(const Line& line, double most) {
           fmt::format("`{}`: expected a number from 0 to {:.0f}", line.text, most)};
 }
 
-void take_steps(GrammarText& grammar, std::optional<double> given, const Line& line, Errors& errors) {
-  take_count(grammar.steps, given ? std::optional(std::ceil(*given)) : given, kMostSteps, line, errors);
+void read_steps(GrammarText& grammar, std::optional<double> given, const Line& line, Errors& errors) {
+  read_count(grammar.steps, given ? std::optional(std::ceil(*given)) : given, kMostSteps, line, errors);
   if (given && *given > 0 && *given < kMostSteps) grammar.last_step = *given - (grammar.steps - 1);
 }
 

@@ -40,7 +40,7 @@ Error not_a_count(const Line& line, double most);
 
 /// A setting as a whole number: truncated, from 0 to `most`. Notes an error if it is none.
 template <class T>
-void take_count(T& out, std::optional<double> value, double most, const Line& line, Errors& errors) {
+void read_count(T& out, std::optional<double> value, double most, const Line& line, Errors& errors) {
   if (value && *value >= 0 && *value < most + 1)
     out = static_cast<T>(*value);
   else
@@ -50,7 +50,7 @@ void take_count(T& out, std::optional<double> value, double most, const Line& li
 inline constexpr double kMostSteps = 1e6, kMostSeed = 9e15, kMostMutations = 10'000;
 
 /// Steps, a fraction of which says how far the last one has grown.
-void take_steps(GrammarText& grammar, std::optional<double> given, const Line& line, Errors& errors);
+void read_steps(GrammarText& grammar, std::optional<double> given, const Line& line, Errors& errors);
 
 /// Position of the last `sign` outside parentheses, or npos.
 std::size_t last_outside(std::string_view text, char sign);

@@ -94,21 +94,21 @@ class LParserReader {
   void read_value(std::string_view name, std::string_view value, const Line& line) {
     if (name == "axiom") return void(axiom_ = read_word(value, line, grammar_.axiom));
     if (name == "rule") return read_rule(value, line);
-    for (std::string_view idle :
+    for (std::string_view ignored :
          {"min_thickness", "shape", "color", "poly_limit", "switch_yz", "trace", "no_wait"})
-      if (name == idle) return note(line, fmt::format("`{}` has no effect here", name));
+      if (name == ignored) return note(line, fmt::format("`{}` has no effect here", name));
     if (name == "trope" || name == "rand")
       return note(line, fmt::format("`{}` of lsuss has no effect here; {}", name,
                                     name == "rand" ? "~(x) turns by up to x degrees"
                                                    : "t(x) says how far each t bends"));
     std::optional<double> given = number(value);
-    if (name == "recursion") return take_steps(grammar_, given, line, errors_);
+    if (name == "recursion") return read_steps(grammar_, given, line, errors_);
     if (name != "angle" && name != "thickness" && name != "mutation")
       return fail(line, fmt::format("`{}` is no keyword of LParser; expected recursion, angle, thickness, "
                                     "mutation, axiom or rule",
                                     name));
     if (!given) return fail(line, value, fmt::format("`{}`: the {} is a number", value, name));
-    if (name == "mutation") return take_count(grammar_.mutations, given, kMostMutations, line, errors_);
+    if (name == "mutation") return read_count(grammar_.mutations, given, kMostMutations, line, errors_);
     if (name == "thickness" && !(*given > 0))
       return fail(line, fmt::format("`{}`: the thickness is more than 0", value));
     (name == "angle" ? grammar_.angle : grammar_.width) = name == "angle" ? *given : *given / 100;

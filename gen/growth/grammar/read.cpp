@@ -67,7 +67,7 @@ SymbolId ModuleReader::id(std::string_view name, int arity, Cursor& reader) {
   return static_cast<SymbolId>(symbols.size() - 1);
 }
 
-std::string_view ModuleReader::take_name(Cursor& reader) const {
+std::string_view ModuleReader::consume_name(Cursor& reader) const {
   if (reader.at_end()) return {};
   std::string_view rest = reader.text.substr(reader.at), name;
   for (const std::string& symbol : grammar_.text.symbols)
@@ -90,19 +90,19 @@ void ModuleReader::read_modules(Cursor& reader, std::span<const std::string> var
   places.clear();
   while (!reader.at_end() && !reader.failed()) {
     std::size_t start = reader.at;
-    std::string_view name = take_name(reader);
+    std::string_view name = consume_name(reader);
     if (name == "[") open.push_back(start);
     if (name == "]") {
       if (open.empty()) return reader.fail("this `]` closes no `[`; remove it or open the branch", start);
       open.pop_back();
     }
     int arity = 0;
-    if (!reader.failed() && reader.take("(")) {
+    if (!reader.failed() && reader.consume("(")) {
       do {
         arguments.push_back(read_expression(reader, {variables, constants}));
         ++arity;
-      } while (!reader.failed() && reader.take(","));
-      if (!reader.failed() && !reader.take(")"))
+      } while (!reader.failed() && reader.consume(","));
+      if (!reader.failed() && !reader.consume(")"))
         reader.fail(fmt::format("the parameters of `{}` are not closed; a `,` or `)` is expected", name),
                     reader.at);
     }
@@ -120,20 +120,20 @@ void ModuleReader::read_pattern(Cursor& reader, std::vector<std::string>& variab
   places.clear();
   while (!reader.at_end() && !reader.failed()) {
     std::size_t begin = reader.at;
-    std::string_view name = take_name(reader);
+    std::string_view name = consume_name(reader);
     int arity = 0;
-    if (!reader.failed() && reader.take("(")) {
+    if (!reader.failed() && reader.consume("(")) {
       do {
         std::size_t start = (reader.skip_blanks(), reader.at);
-        std::string_view variable = take_identifier(reader);
+        std::string_view variable = consume_identifier(reader);
         if (variable.empty())
           return reader.fail("a parameter of the left side is a name; put numbers into the condition", start);
         if (std::find(variables.begin(), variables.end(), variable) != variables.end())
           return reader.fail(fmt::format("the parameter `{}` is named twice; rename one", variable), start);
         variables.emplace_back(variable);
         ++arity;
-      } while (reader.take(","));
-      if (!reader.take(")")) reader.fail("a `)` is missing", reader.at);
+      } while (reader.consume(","));
+      if (!reader.consume(")")) reader.fail("a `)` is missing", reader.at);
     }
     if (!reader.failed()) modules.push_back(id(name, arity, reader)), places.push_back(begin);
   }

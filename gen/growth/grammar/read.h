@@ -33,7 +33,7 @@ class ModuleReader {
   void read_pattern(Cursor& reader, std::vector<std::string>& variables, std::vector<SymbolId>& modules);
 
   /// The name of the next module; empty at the end.
-  std::string_view take_name(Cursor& reader) const;
+  std::string_view consume_name(Cursor& reader) const;
 
  private:
   Grammar& grammar_;

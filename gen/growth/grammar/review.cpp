@@ -102,7 +102,7 @@ std::optional<Error> twin_letter(const Grammar& grammar, const Symbol& symbol, c
 }
 
 /// That nothing of the axiom is ever rewritten, though there are rules and steps.
-std::optional<Error> idle_axiom(const Grammar& grammar) {
+std::optional<Error> unused_axiom(const Grammar& grammar) {
   auto changes = [&](SymbolId symbol) {
     return std::ranges::any_of(grammar.symbols, [&](const Symbol& other) {
       auto id = static_cast<std::size_t>(&other - grammar.symbols.data());
@@ -127,7 +127,7 @@ void find_odd_signs(const GrammarText& text, Errors& errors) {
   auto is_symbol = [&](std::string_view sign) {
     return std::ranges::any_of(text.symbols, [&](const std::string& s) { return s.find(sign) != s.npos; });
   };
-  auto check = [&](std::string_view where, std::string_view line) {
+  auto report_odd_sign = [&](std::string_view where, std::string_view line) {
     std::optional<Lookalike> odd = find_lookalike(line);
     while (odd && is_symbol(line.substr(odd->at, odd->size))) odd = find_lookalike(line, odd->at + odd->size);
     if (!odd) return;
@@ -136,17 +136,19 @@ void find_odd_signs(const GrammarText& text, Errors& errors) {
                                          "`symbols` where it is a symbol of its own; in `{}`",
                                          column_of(line, odd->at), odd->name, odd->meant, line)});
   };
-  check("axiom", text.axiom);
-  auto check_rules = [&](const std::vector<GrammarText::Rule>& rules, std::string_view kind) {
+  report_odd_sign("axiom", text.axiom);
+  auto report_odd_signs = [&](const std::vector<GrammarText::Rule>& rules, std::string_view kind) {
     for (std::size_t i = 0; i < rules.size(); ++i)
-      check(rules[i].where.empty() ? fmt::format("{} {}", kind, i + 1) : rules[i].where, rules[i].text);
+      report_odd_sign(rules[i].where.empty() ? fmt::format("{} {}", kind, i + 1) : rules[i].where,
+                      rules[i].text);
   };
-  check_rules(text.rules, "rule");
-  check_rules(text.decomposition, "decomposition rule");
-  check_rules(text.interpretation, "interpretation rule");
-  for (const auto& [name, formula] : text.constants) check(fmt::format("constant `{}`", name), formula);
-  check("ignore", text.ignore);
-  check("consider", text.consider);
+  report_odd_signs(text.rules, "rule");
+  report_odd_signs(text.decomposition, "decomposition rule");
+  report_odd_signs(text.interpretation, "interpretation rule");
+  for (const auto& [name, formula] : text.constants)
+    report_odd_sign(fmt::format("constant `{}`", name), formula);
+  report_odd_sign("ignore", text.ignore);
+  report_odd_sign("consider", text.consider);
 }
 
 void find_swelling(const Grammar& grammar, Errors& errors) {
@@ -210,7 +212,7 @@ Errors find_endless(const Grammar& grammar) {
   return {};
 }
 
-Errors find_idle(const Grammar& grammar) {
+Errors review_warnings(const Grammar& grammar) {
   Errors warnings = grammar.text.notes;
   if (grammar.text.mutations > 0)
     warnings.push_back({"mutate", "does nothing: only grammars of LParser are mutated"});
@@ -235,7 +237,7 @@ Errors find_idle(const Grammar& grammar) {
                                     column_of(made->text, made->at), symbol.name, made->text)});
     }
   }
-  if (std::optional<Error> idle = idle_axiom(grammar)) warnings.push_back(std::move(*idle));
+  if (std::optional<Error> unused = unused_axiom(grammar)) warnings.push_back(std::move(*unused));
   return warnings;
 }
 

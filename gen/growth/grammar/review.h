@@ -26,7 +26,7 @@ Errors find_endless(const Grammar& grammar);
 /// Symbols that are produced but never used: no rule rewrites them, and they mean nothing to the turtle. Most
 /// often a typing mistake. Grammars that draw nothing, or have contexts, are checked for letters of other
 /// alphabets and for numbers of parameters only.
-Errors find_idle(const Grammar& grammar);
+Errors review_warnings(const Grammar& grammar);
 
 /// Errors of a derivation; those without a place get that of the grammar.
 Errors placed(Errors errors, const GrammarText& text);

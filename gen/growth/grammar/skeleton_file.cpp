@@ -43,7 +43,7 @@ class SkeletonFile {
   SkeletonFile(std::string_view text, bool z_up) : z_up_(z_up) {
     for (Line line : lines_of(text)) {
       line.text = trim(line.text.substr(0, line.text.find('#')));
-      if (!line.text.empty()) take(line);
+      if (!line.text.empty()) read_node(line);
     }
     if (errors.empty() && nodes.empty())
       errors.push_back({"", "there is no node; expected lines of seven numbers"});
@@ -56,7 +56,7 @@ class SkeletonFile {
   Errors errors;
 
  private:
-  void take(const Line& line) {
+  void read_node(const Line& line) {
     std::vector<double> row = numbers_of(line.text, errors, line);
     if (!errors.empty()) return;
     if (row.size() < 7)
@@ -144,7 +144,7 @@ class SkeletonWord {
 
   double width(const SwcNode& node) const { return 2 * (node.radius > 0 ? node.radius : least_); }
 
-  void draw(std::size_t from, std::size_t to) {
+  void add_segment(std::size_t from, std::size_t to) {
     DVec3 way = nodes_[to].at - nodes_[from].at;
     double length = glm::length(way);
     if (!(length > 0)) return void(word += fmt::format("!({:.9g})", width(nodes_[to])));
@@ -162,7 +162,7 @@ class SkeletonWord {
       if (piece.sign != 0) {
         word += piece.sign;
       } else {
-        draw(piece.from, piece.to);
+        add_segment(piece.from, piece.to);
         go_on(piece.to, pieces);
       }
     }

@@ -240,7 +240,7 @@ class Turtle {
     if (draws)
       draw(to, length, info.arity > 1 ? parameters[1] : now_.width);
     else
-      now_.mark = -1, now_.take_width();
+      now_.mark = -1, now_.consume_width();
     now_.position = to;
     if (vertex && !polygons_.empty()) vertices_.push_back(to);
     if (draws && now_.elasticity != 0) bend(now_, pull(), now_.elasticity);
@@ -250,7 +250,7 @@ class Turtle {
   void draw(DVec3 to, double length, double width) {
     bool tapers = text_.dialect == Dialect::abop;
     if (text_.dialect == Dialect::lparser) width *= std::abs(length);
-    Segment line{now_.position, to, tapers ? now_.take_width() : width, width};
+    Segment line{now_.position, to, tapers ? now_.consume_width() : width, width};
     if constexpr (requires { sink_.segment(line, now_); }) sink_.segment(line, now_);
     if (tapers) now_.width = width;
   }
@@ -292,7 +292,7 @@ class Turtle {
   void place(Act act, int arity, const double* parameters) {
     DVec3 target = arity >= 3 ? DVec3(parameters[0], parameters[1], parameters[2]) : DVec3(0);
     if (act == Act::set_position) {
-      if (arity >= 3) now_.position = target, now_.mark = -1, now_.take_width();
+      if (arity >= 3) now_.position = target, now_.mark = -1, now_.consume_width();
     } else if (act == Act::pitch_by_gravity || act == Act::bend_by_gravity) {
       double pull = arity > 0 ? parameters[0] : 0.2;
       if (act == Act::bend_by_gravity) return bend(now_, {0, -1, 0}, pull * growth_.age);
@@ -323,7 +323,7 @@ class Turtle {
     double width_by = given ? value : text_.width_scale, length_by = given ? value : text_.length_scale;
     double angle_by = given ? value : text_.angle_scale;
     bool divides = !given || text_.dialect != Dialect::lparser;  // whose parameters multiply
-    if (changes_width(act)) now_.take_width();
+    if (changes_width(act)) now_.consume_width();
     switch (act) {
       case Act::narrow:
         return given ? set(now_.width, value) : scale(now_.width, text_.width_scale);

@@ -28,7 +28,7 @@ struct TurtleState {
   double width_here = -1;         ///< the width where it stands, if it is led to another one; else -1
 
   /// The width with which a segment begins here; from now on it is that of all others.
-  double take_width() {
+  double consume_width() {
     double here = width_here < 0 ? width : width_here;
     width_here = -1;
     return here;

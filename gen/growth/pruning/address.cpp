@@ -15,7 +15,7 @@ constexpr int kMostDigits = 9;
 constexpr double kShares = 1e6;  // steps of an axis that texts tell apart
 
 /// A number from 1 that the text begins with, which is taken off; 0 if there is none.
-int take_number(std::string_view& text) {
+int consume_number(std::string_view& text) {
   int number = 0;
   std::size_t digits = 0;
   while (digits < text.size() && text[digits] >= '0' && text[digits] <= '9') ++digits;
@@ -25,7 +25,7 @@ int take_number(std::string_view& text) {
   return number;
 }
 
-bool take(std::string_view& text, char c) {
+bool consume(std::string_view& text, char c) {
   if (!text.starts_with(c)) return false;
   text.remove_prefix(1);
   return true;
@@ -80,17 +80,17 @@ Result<Address> parse_address(std::string_view given) {
   auto fault = [&] { return Error{"", fmt::format("found \"{}\"; expected {}", given, kAddressForm)}; };
   Address address;
   bool more = !rest.empty() && rest.front() != ':';
-  if (take(rest, '#')) {
-    if (address.stem = take_number(rest); address.stem == 0) return fault();
-    more = take(rest, '/');
+  if (consume(rest, '#')) {
+    if (address.stem = consume_number(rest); address.stem == 0) return fault();
+    more = consume(rest, '/');
   }
   while (more) {
-    int number = take_number(rest);
+    int number = consume_number(rest);
     if (number == 0) return fault();
     address.axes.push_back(number);
-    more = take(rest, '/');
+    more = consume(rest, '/');
   }
-  if (take(rest, ':')) {
+  if (consume(rest, ':')) {
     auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), address.share);
     if (error != std::errc() || !(address.share >= 0 && address.share <= 1)) return fault();
     rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));

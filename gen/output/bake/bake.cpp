@@ -138,8 +138,8 @@ Color mean_color(const Raster& colors) {
   return srgb(sum);
 }
 
-Result<BakedPictures> draw(const Swatch& swatch, double rough, const std::string& scene,
-                           const BakeOptions& options) {
+Result<BakedPictures> render(const Swatch& swatch, double rough, const std::string& scene,
+                             const BakeOptions& options) {
   auto [columns, rows] = swatch.pixels;
   bool flat = swatch.body.triangle.empty(), relief = flat && swatch.relief;
   int wide = flat ? larger(swatch, columns) : columns, high = flat ? larger(swatch, rows) : rows;
@@ -230,7 +230,7 @@ std::string swatch_scene(const Swatch& swatch) {
 
 Result<BakedPictures> bake(const Swatch& swatch, double rough, const BakeOptions& options) {
   std::string scene = swatch_scene(swatch);
-  if (options.cache.empty()) return draw(swatch, rough, scene, options);
+  if (options.cache.empty()) return render(swatch, rough, scene, options);
   std::string all = fmt::format("{} {} {} {} {} {} {} ", swatch.pixels[0], swatch.pixels[1], swatch.light.x,
                                 swatch.light.y, swatch.light.z, swatch.repeats, rough) +
                     scene;
@@ -248,7 +248,7 @@ Result<BakedPictures> bake(const Swatch& swatch, double rough, const BakeOptions
   }
   if (kept)
     if (Result<Raster> colors = read_png(made.colors)) return made.mean = mean_color(*colors), made;
-  Result<BakedPictures> fresh = draw(swatch, rough, scene, options);
+  Result<BakedPictures> fresh = render(swatch, rough, scene, options);
   if (!fresh) return fresh;
   made = *fresh;
   // The colours, which stand for all, come last. Where there is no room for it nothing is kept.

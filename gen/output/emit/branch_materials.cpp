@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 
+#include "appearance/bleaching.h"
+#include "appearance/skin_colors.h"
 #include "core/text.h"
-#include "dress/bleaching.h"
-#include "dress/skin_colors.h"
 
 namespace frond {
 

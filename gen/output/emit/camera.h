@@ -4,7 +4,7 @@
 #include <string>
 
 #include "emit/pov.h"
-#include "settings/stage.h"
+#include "settings/scene_setup.h"
 
 namespace frond {
 

@@ -20,8 +20,8 @@ namespace {
 
 constexpr int kMossSteps = 24;  // that logs become green in
 
-std::string tints_text(std::size_t stand, const Organism& organism) {
-  std::string text = fmt::format("#declare Tint{} = array[{}]{{", stand, kTints);
+std::string tints_text(std::size_t copy_set, const Organism& organism) {
+  std::string text = fmt::format("#declare Tint{} = array[{}]{{", copy_set, kTints);
   for (int i = 0; i < kTints; ++i) {
     TintShift shift = tint_shift(organism.sown->tint, i);
     text += i > 0 ? ",<" : "<";
@@ -32,20 +32,20 @@ std::string tints_text(std::size_t stand, const Organism& organism) {
 }
 
 /// Whether its copies are others in each frame.
-bool moves(const SownStand& stand, const Film& film) {
-  return !stand.copies.span.empty() || sways(stand, film) || copy_growth(stand.organism, film, 0) ||
-         copy_seasons(stand.organism, film);
+bool moves(const CopySet& set, const Film& film) {
+  return !set.copies.span.empty() || sways(set, film) || copy_growth(set.organism, film, 0) ||
+         copy_seasons(set.organism, film);
 }
 
 /// Whether each copy carries its pattern with it, as the skin of colonies must; else what is drawn on copies
 /// lies in the world, or on their `uv`, which costs less.
-bool carries_pattern(const SownStand& stand, const Film& film) {
-  return moves(stand, film) && stand.organism.grower->traits().colony;
+bool carries_pattern(const CopySet& set, const Film& film) {
+  return moves(set, film) && set.organism.grower->traits().colony;
 }
 
 /// Gives the prototypes of leaves the colours that these have now, as many of each as there are leaves of it:
 /// what has a look by places alone takes one of all colours.
-void take_colors(std::vector<Prototype>& prototypes, const Organs& now) {
+void set_leaf_colors(std::vector<Prototype>& prototypes, const Organs& now) {
   constexpr std::size_t kColors = 12;
   for (std::size_t p = 0; p < prototypes.size(); ++p) {
     std::vector<Color>& colors = prototypes[p].colors;
@@ -61,22 +61,22 @@ void take_colors(std::vector<Prototype>& prototypes, const Organs& now) {
   }
 }
 
-/// What the copies of a stand are made of at a time: the parts of its models' files, or, of a model that the
+/// What the copies of a set are made of at a time: the parts of its models' files, or, of a model that the
 /// film sees grow, what there is of them, declared in the frame itself.
-class StandParts {
+class CopySetParts {
  public:
-  StandParts(const Scene& scene, const CopyPlan& plan, std::size_t which, double time)
+  CopySetParts(const Scene& scene, const CopyPlan& plan, std::size_t which, double time)
       : film_(scene.film),
-        stand_(scene.stands[which]),
+        set_(scene.copy_sets[which]),
         plan_(plan),
         which_(which),
         time_(time),
-        seasons_(copy_seasons(stand_.organism, film_)) {}
+        seasons_(copy_seasons(set_.organism, film_)) {}
 
   std::vector<std::string> parts;  ///< their names
 
-  /// Takes those of a model, of one level and block; `text` gets what has to be declared for them.
-  void take(std::string& text, int model, const Drawn& one) {
+  /// Selects those of a model, of one level and block; `text` gets what has to be declared for them.
+  void select(std::string& text, int model, const Drawn& one) {
     const ModelFile& file = plan_.file(which_, model, one);
     if (model_ != model) grow(model);
     std::string own = fmt::format("Growing{}_{}_{}_{}", which_, model, one.level, one.block + 1);
@@ -87,11 +87,11 @@ class StandParts {
     ModelBlocks blocks = blocks_of(plan_.surfels[which_][static_cast<std::size_t>(model)]);
     ModelFile here;
     here.level = one.level, here.block = one.block;
-    const Look& look = stand_.dress.look;
+    const Look& look = set_.appearance.look;
     const CopyDetail& detail = kLevels[one.level];
     std::vector<CopyPart> all = copy_parts(look, *now_, detail, &blocks, seasons_ ? &leaves_ : nullptr);
     Model worn;
-    if (seasons_ && detail.plain) worn = *now_, take_colors(worn.prototypes, leaves_);
+    if (seasons_ && detail.plain) worn = *now_, set_leaf_colors(worn.prototypes, leaves_);
     add(own, append_parts(text, own, look, seasons_ && detail.plain ? worn : *now_, all, here));
   }
 
@@ -109,11 +109,11 @@ class StandParts {
     if (growing == plan_.growing.end()) return;
     if (seasons_) {
       whole_ = false, now_ = growing->second;
-      leaves_ = copy_organs(stand_.organism, model, *now_, *seasons_, time_);
+      leaves_ = copy_organs(set_.organism, model, *now_, *seasons_, time_);
       return;
     }
-    Motion motion = stand_.dress.motion;
-    motion.growth = *copy_growth(stand_.organism, film_, model);
+    Motion motion = set_.appearance.motion;
+    motion.growth = *copy_growth(set_.organism, film_, model);
     double front = growth_front(motion.growth, time_);
     front_ = std::min(front, 1.0);
     whole_ = front >= 1 + motion.growth.ripen;
@@ -122,7 +122,7 @@ class StandParts {
   }
 
   const Film& film_;
-  const SownStand& stand_;
+  const CopySet& set_;
   const CopyPlan& plan_;
   std::size_t which_;
   double time_;
@@ -135,19 +135,19 @@ class StandParts {
   Organs leaves_;                     // of that, at this time of the year
 };
 
-/// All copies of a stand: one union for each part of each model, level, block and tint.
-ObjectText stand_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, std::size_t which,
-                      std::size_t stretch, double time) {
-  const SownStand& stand = scene.stands[which];
-  const Copies& copies = stand.copies;
-  bool carries = carries_pattern(stand, scene.film);
+/// All copies of a set: one union for each part of each model, level, block and tint.
+ObjectText copy_set_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, std::size_t which,
+                         std::size_t stretch, double time) {
+  const CopySet& set = scene.copy_sets[which];
+  const Copies& copies = set.copies;
+  bool carries = carries_pattern(set, scene.film);
   auto unit = static_cast<float>(space.unit / kModelUnit);
   std::map<std::array<int, 5>, std::string>
       groups;  // model, level, block, tint, moss: lines without what they place
   for (const Drawn& one : plan.drawn[stretch][which]) {
     std::size_t i = one.copy;
     if (!copies.there(i, time)) continue;
-    glm::mat3 frame = copy_axes(stand, scene.film, i, time);
+    glm::mat3 frame = copy_axes(set, scene.film, i, time);
     Vec3 scale = copies.scale_at(i, time) * (carries ? 1 : unit);
     for (int axis = 0; axis < 3; ++axis) frame[axis] *= scale[axis];
     std::string& lines = groups[{copies.model[i], one.level, one.block, copies.tint[i],
@@ -156,18 +156,18 @@ ObjectText stand_text(const PovSpace& space, const Scene& scene, const CopyPlan&
   }
   ObjectText all;
   std::string& text = all.text;
-  append_comment(text, stand.organism.name);
-  StandParts made(scene, plan, which, time);
+  append_comment(text, set.organism.name);
+  CopySetParts made(scene, plan, which, time);
   for (const auto& [key, lines] : groups) {
     if (lines.empty()) continue;
     auto [model, level, block, tint, moss] = key;
-    made.take(text, model, {0, static_cast<std::int16_t>(block), static_cast<std::int16_t>(level)});
+    made.select(text, model, {0, static_cast<std::int16_t>(block), static_cast<std::int16_t>(level)});
     if (carries && !made.parts.empty()) append_front(text, made.front());
     for (std::string object : made.parts) {
       std::string look = object + fmt::format("_Look(Tint{}[{}])", which, tint);
       if (moss > 0)
         look += fmt::format(" texture{{Copy_Moss({})}}", number_text(moss / double{kMossSteps}, 3));
-      look += weather_over(is_snowy(scene.stage), is_rainy(scene.stage), Wetting::leaf);
+      look += weather_over(is_snowy(scene.setup), is_rainy(scene.setup), Wetting::leaf);
       if (carries) {
         object += " scale ";
         append(object, unit, 6);
@@ -187,13 +187,13 @@ ObjectText stand_text(const PovSpace& space, const Scene& scene, const CopyPlan&
   return all;
 }
 
-ObjectText stands_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, std::size_t stretch,
-                       double time, bool swaying) {
+ObjectText copy_sets_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan,
+                          std::size_t stretch, double time, bool swaying) {
   if (plan.drawn.empty()) return {};
-  std::vector<ObjectText> texts(scene.stands.size());
+  std::vector<ObjectText> texts(scene.copy_sets.size());
   parallel_for(texts.size(), [&](std::size_t s) {
-    if (moves(scene.stands[s], scene.film) == swaying)
-      texts[s] = stand_text(space, scene, plan, s, stretch, time);
+    if (moves(scene.copy_sets[s], scene.film) == swaying)
+      texts[s] = copy_set_text(space, scene, plan, s, stretch, time);
   });
   ObjectText all;
   for (const ObjectText& part : texts) all += part;
@@ -207,8 +207,8 @@ std::string model_includes_text(const Scene& scene, const CopyPlan& plan, std::s
   std::string text;
   std::set<std::pair<bool, std::string>>
       names;  // two stands may share a model; what is put together comes last
-  for (std::size_t s = 0; s < scene.stands.size() && !plan.drawn.empty(); ++s) {
-    const Copies& copies = scene.stands[s].copies;
+  for (std::size_t s = 0; s < scene.copy_sets.size() && !plan.drawn.empty(); ++s) {
+    const Copies& copies = scene.copy_sets[s].copies;
     if (copies.span.empty() == time.has_value()) continue;
     for (Drawn one : plan.drawn[stretch][s]) {
       if (time && !copies.there(one.copy, *time)) continue;
@@ -226,15 +226,16 @@ std::string model_includes_text(const Scene& scene, const CopyPlan& plan, std::s
 ObjectText still_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan,
                              std::size_t stretch) {
   ObjectText all;
-  for (std::size_t s = 0; s < scene.stands.size(); ++s) all.text += tints_text(s, scene.stands[s].organism);
-  return all += stands_text(space, scene, plan, stretch, 0, false);
+  for (std::size_t s = 0; s < scene.copy_sets.size(); ++s)
+    all.text += tints_text(s, scene.copy_sets[s].organism);
+  return all += copy_sets_text(space, scene, plan, stretch, 0, false);
 }
 
 ObjectText swaying_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, int frame,
                                double time) {
   std::size_t stretch = plan.stretch_of(frame);
   ObjectText all{model_includes_text(scene, plan, stretch, time)};
-  return all += stands_text(space, scene, plan, stretch, time, true);
+  return all += copy_sets_text(space, scene, plan, stretch, time, true);
 }
 
 }  // namespace frond

@@ -12,10 +12,10 @@ namespace frond {
 /// come and go, and without one of the others.
 std::string model_includes_text(const Scene& scene, const CopyPlan& plan, std::size_t stretch,
                                 std::optional<double> time = {});
-/// For a stretch of the film: the tints of the stands and all copies of stands that stand still.
+/// For a stretch of the film: the tints of all copies and those copies that stand still.
 ObjectText still_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan,
                              std::size_t stretch);
-/// The copies of stands that sway in the wind, in a frame at its time.
+/// The copies that sway in the wind, in a frame at its time.
 ObjectText swaying_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan, int frame,
                                double time);
 

@@ -180,9 +180,9 @@ std::string ModelText::file_text() const {
   return text + body;
 }
 
-std::vector<ModelText> model_texts(const std::vector<ModelFile>& files, const SownStand& stand,
+std::vector<ModelText> model_texts(const std::vector<ModelFile>& files, const CopySet& set,
                                    const Model& model, const ModelBlocks& blocks) {
-  const Look& look = stand.dress.look;
+  const Look& look = set.appearance.look;
   std::vector<CopyPart> all = copy_parts(look, model, kLevels[files[0].level], &blocks);
   std::vector<ModelText> texts(files.size());
   parallel_for(files.size(), [&](std::size_t i) {

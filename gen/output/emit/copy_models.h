@@ -32,7 +32,7 @@ struct ModelText {
 };
 
 /// The texts of files of one level of a model; `blocks` are its own.
-std::vector<ModelText> model_texts(const std::vector<ModelFile>& files, const SownStand& stand,
+std::vector<ModelText> model_texts(const std::vector<ModelFile>& files, const CopySet& set,
                                    const Model& model, const ModelBlocks& blocks);
 
 }  // namespace frond

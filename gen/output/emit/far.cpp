@@ -41,14 +41,14 @@ void append_objects(std::string& text, const PovSpace& space, const DistantTerra
 }  // namespace
 
 std::string far_air_text(const Scene& scene, double time) {
-  Stage stage = stage_at(scene.stage, time);
-  const auto& meadow = stage.block<Meadow>();
+  SceneSetup setup = setup_at(scene.setup, time);
+  const auto& meadow = setup.block<Meadow>();
   std::optional<double> year;
-  if (scene.stage.year) year = scene.stage.year->at(time);
+  if (scene.setup.year) year = scene.setup.year->at(time);
   Color grass = year ? grass_at(meadow.grass, *year) : meadow.grass;
   // Where it is not said what time of the year it is, woods are bare under snow.
-  double snow = snow_cover(stage), leaves = year ? leaf_share(*year) : 1 - snow;
-  return "Far_Air(" + eye_text(scene, time) + "," + vector_text(drawn_daylight(stage).fog) + "," +
+  double snow = snow_cover(setup), leaves = year ? leaf_share(*year) : 1 - snow;
+  return "Far_Air(" + eye_text(scene, time) + "," + vector_text(drawn_daylight(setup).fog) + "," +
          number_text(meadow.haze) + ")\n" + "Far_Year(" + vector_text(linear(grass)) + "," +
          number_text(leaves, 3) + "," + number_text(snow, 3) + ")";
 }

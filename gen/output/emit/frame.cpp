@@ -119,12 +119,12 @@ struct Fineness {
   float plain() const { return static_cast<float>(kPlainPixels * pixel); }
 };
 
-/// Writes a line for each chunk in turn, `append(texts, chunk)`, to one of `kinds` texts, which `take(kind,
-/// text)` receives; parts of them at a time by several threads, so that neither all chunks nor all lines are
-/// held at once.
-template <class Append, class Take>
+/// Writes a line for each chunk in turn, `append(texts, chunk)`, to one of `kinds` texts, which
+/// `receive(kind, text)` receives; parts of them at a time by several threads, so that neither all chunks nor
+/// all lines are held at once.
+template <class Append, class Receive>
 void write_chunks(const DrawnBranches& b, const ChunkOptions& options, std::size_t kinds,
-                  const Append& append, const Take& take) {
+                  const Append& append, const Receive& receive) {
   std::vector<std::int32_t> first = parts_of(b.rest());
   float longest = b.rest().longest();
   std::size_t at_once = std::min<std::size_t>(first.size() - 1, kPartsAtOnce);
@@ -138,7 +138,7 @@ void write_chunks(const DrawnBranches& b, const ChunkOptions& options, std::size
         append(texts[i], chunk);
     });
     for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t kind = 0; kind < kinds; ++kind) take(kind, texts[i][kind]);
+      for (std::size_t kind = 0; kind < kinds; ++kind) receive(kind, texts[i][kind]);
   }
 }
 
@@ -301,7 +301,7 @@ std::size_t lines_of(const Specimen& b) {
 FrameCount write_organisms(const FrameParts& parts, const Scene& scene, double time, Errors& errors,
                            const Out& out) {
   FrameCount count;
-  auto take = [&](const Result<FrameCount>& written) {
+  auto count_in = [&](const Result<FrameCount>& written) {
     if (written)
       count += *written;
     else
@@ -313,7 +313,7 @@ FrameCount write_organisms(const FrameParts& parts, const Scene& scene, double t
       if (lines > kLinesAtOnce && to > from) break;
     }
     if (to == from + 1) {
-      take(write_organism(parts, scene, from, time, out));
+      count_in(write_organism(parts, scene, from, time, out));
       continue;
     }
     std::vector<std::string> texts(to - from);
@@ -322,7 +322,7 @@ FrameCount write_organisms(const FrameParts& parts, const Scene& scene, double t
       written[i] =
           write_organism(parts, scene, from + i, time, [&](std::string_view piece) { texts[i] += piece; });
     });
-    for (const Result<FrameCount>& one : written) take(one);
+    for (const Result<FrameCount>& one : written) count_in(one);
     for (const std::string& text : texts) out(text);
   }
   return count;
@@ -335,7 +335,7 @@ std::string light_name(int frame) { return frame_name(frame) + ".rca"; }
 Result<FrameCount> write_frame(const Scene& scene, const FrameParts& parts, std::string_view layout,
                                int frame, const Out& out, int exposure) {
   const Film& film = scene.film;
-  const Camera& camera = scene.stage.camera;
+  const Camera& camera = scene.setup.camera;
   int all = exposure > 0 ? exposures(film, camera) : 1;
   double time = exposure > 0 ? exposure_time(film, camera, frame, exposure) : film.time(frame);
   Errors errors;

@@ -17,7 +17,7 @@ inline constexpr std::string_view kOwnLight = "*";
 /// What is the same in each frame of a film, written once.
 struct FrameParts {
   std::vector<Picture> files;  ///< that frames include, to be put beside them
-  CopyPlan plan;               ///< of the copies of stands
+  CopyPlan plan;               ///< of the copies that are sown
   PovSpace space;
   std::string materials;            ///< the skins of all organisms and the shapes of their organs
   std::string ground;               ///< floor, stones, grass and solids

@@ -30,7 +30,7 @@ struct FloorTexture {
   std::string_view inside;                 ///< of `texture{}`; its y is up
 };
 /// None where there is no floor, or grass or litter covers it.
-std::optional<FloorTexture> floor_texture(const Stage& stage);
+std::optional<FloorTexture> floor_texture(const SceneSetup& setup);
 
 /// The `#include` lines of the files that a scene needs.
 std::string includes_text(const Scene& scene);
@@ -42,7 +42,7 @@ std::optional<std::string> sky_scene_text(const PovSpace& space, const Scene& sc
 std::string setting_text(const Scene& scene, double time);
 Result<std::vector<Picture>> setting_pictures(const Scene& scene, double time);
 /// Whether its light may be a picture that each frame has of its own, as that through waves is.
-bool has_pictures(const Stage& stage);
+bool has_pictures(const SceneSetup& setup);
 std::string ground_text(const PovSpace& space, const Scene& scene);
 /// What drifts over the ground at a time: each shape, and an object of it for each place.
 std::string adrift_text(const PovSpace& space, const Scene& scene, double time);

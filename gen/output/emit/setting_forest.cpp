@@ -13,11 +13,11 @@ std::string water_text(const StreamCourse& stream) {
 }
 
 std::string wood_text(const Scene& scene, double time) {
-  Stage stage = stage_at(scene.stage, time);
-  const auto& forest = stage.block<Forest>();
-  const auto& meadow = stage.block<Meadow>();
-  Sky sky = forest_sky(stage);
-  Daylight light = drawn_daylight(stage);
+  SceneSetup setup = setup_at(scene.setup, time);
+  const auto& forest = setup.block<Forest>();
+  const auto& meadow = setup.block<Meadow>();
+  Sky sky = forest_sky(setup);
+  Daylight light = drawn_daylight(setup);
   const auto& ground = ground_as<ForestGround>(*scene.ground);
   return globals_text("Meadow") + sky_text(sky, meadow.clouds) + water_text(ground.stream()) +
          "Forest_Setting(" + eye_text(scene, time) + "," + lamp_text(sky) + "," + vector_text(light.fog) +
@@ -29,9 +29,9 @@ std::string forest_floor_text(const PovSpace& space, const Scene& scene) {
   const auto& ground = ground_as<ForestGround>(*scene.ground);
   const ForestCover& cover = ground.cover;
   std::string litter =
-      scene.stage.year ? std::string(kYearLitter) : color_text(scene.stage.block<Forest>().litter);
-  std::string wet = weather_over(false, is_rainy(scene.stage), Wetting::leaf);
-  std::string green = color_text(scene.stage.block<Forest>().green);
+      scene.setup.year ? std::string(kYearLitter) : color_text(scene.setup.block<Forest>().litter);
+  std::string wet = weather_over(false, is_rainy(scene.setup), Wetting::leaf);
+  std::string green = color_text(scene.setup.block<Forest>().green);
   std::string_view macro = ground.mountain ? "Forest_Mountain(" : "Forest_Ground(";
   std::string text = floor_text(space, scene, std::string(macro) + litter + "," + green + ")");
   if (ground.stream().flows()) {

@@ -9,10 +9,10 @@ namespace frond {
 namespace {
 
 std::string sky_and_pond_text(const Scene& scene, double time) {
-  Stage stage = stage_at(scene.stage, time);
-  const auto& garden = stage.block<Garden>();
+  SceneSetup setup = setup_at(scene.setup, time);
+  const auto& garden = setup.block<Garden>();
   std::string text = globals_text("Meadow") +
-                     country_text(garden_sky(stage), stage.block<Meadow>(), drawn_daylight(stage).fog);
+                     country_text(garden_sky(setup), setup.block<Meadow>(), drawn_daylight(setup).fog);
   const PondShape& pond = garden.pond;
   bool ground = scene.film.background != Background::transparent;
   if (ground && pond.size.x > 0 && pond.size.y > 0)
@@ -28,9 +28,9 @@ SettingText garden_text() {
           .surroundings = sky_and_pond_text,
           .ground =
               [](const PovSpace& space, const Scene& scene) {
-                return lawn_text(space, scene, scene.stage.block<Meadow>().grass,
-                                 scene.stage.block<Garden>().gravel_color,
-                                 scene.stage.block<Garden>().earth_color);
+                return lawn_text(space, scene, scene.setup.block<Meadow>().grass,
+                                 scene.setup.block<Garden>().gravel_color,
+                                 scene.setup.block<Garden>().earth_color);
               },
           .sky = true};
 }

@@ -7,10 +7,10 @@ namespace frond {
 namespace {
 
 /// A mountain far off shows the light that comes to it: no lamp of the scene reaches it.
-std::string mountain_text(const PovSpace& space, const Stage& stage) {
-  const auto& meadow = stage.block<Meadow>();
+std::string mountain_text(const PovSpace& space, const SceneSetup& setup) {
+  const auto& meadow = setup.block<Meadow>();
   if (!meadow.mountain) return {};
-  Sky sky = meadow_sky(stage);
+  Sky sky = meadow_sky(setup);
   std::string text = "object{\n";
   append_mesh(text, space, mountain_surface(*meadow.mountain, sky.lamp));
   text += "\ntexture{Meadow_Rock(" + color_text(meadow.mountain->rock) + "," + color_text(meadow.grass) +
@@ -20,10 +20,10 @@ std::string mountain_text(const PovSpace& space, const Stage& stage) {
 }
 
 std::string summer_text(const Scene& scene, double time) {
-  Stage stage = stage_at(scene.stage, time);
+  SceneSetup setup = setup_at(scene.setup, time);
   std::string text = globals_text("Meadow") +
-                     country_text(meadow_sky(stage), stage.block<Meadow>(), drawn_daylight(stage).fog);
-  return sun_moves(scene.stage) && !scene.film.transparent() ? text + "\n" + mountain_text({}, stage) : text;
+                     country_text(meadow_sky(setup), setup.block<Meadow>(), drawn_daylight(setup).fog);
+  return sun_moves(scene.setup) && !scene.film.transparent() ? text + "\n" + mountain_text({}, setup) : text;
 }
 
 }  // namespace
@@ -33,10 +33,10 @@ SettingText meadow_text() {
           .surroundings = summer_text,
           .ground =
               [](const PovSpace& space, const Scene& scene) {
-                return lawn_text(space, scene, scene.stage.block<Meadow>().grass, {}, {}) +
-                       (sun_moves(scene.stage) || scene.film.transparent()
+                return lawn_text(space, scene, scene.setup.block<Meadow>().grass, {}, {}) +
+                       (sun_moves(scene.setup) || scene.film.transparent()
                             ? ""
-                            : mountain_text(space, scene.stage));
+                            : mountain_text(space, scene.setup));
               },
           .sky = true};
 }

@@ -32,11 +32,11 @@ std::string light_text(Vec3 light) {
 }
 
 std::string eye_text(const Scene& scene, double time) {
-  return direction_text(scene.stage.camera.location.at(time));
+  return direction_text(scene.setup.camera.location.at(time));
 }
 
 std::string look_text(const Scene& scene, double time) {
-  return direction_text(scene.stage.camera.look_at.at(time));
+  return direction_text(scene.setup.camera.look_at.at(time));
 }
 
 std::string floor_text(const PovSpace& space, const Scene& scene, std::string_view texture) {
@@ -44,7 +44,7 @@ std::string floor_text(const PovSpace& space, const Scene& scene, std::string_vi
   append_mesh(text, space, drawn_floor(scene));
   text += "\ntexture{";
   text += texture;
-  text += '}' + weather_over(false, is_rainy(scene.stage), Wetting::soil);
+  text += '}' + weather_over(false, is_rainy(scene.setup), Wetting::soil);
   for (const Specimen& s : scene.specimens) {
     const std::vector<Solid>& shapes = s.model.solids.shapes;
     if (shapes.empty() || shapes[0].material.matter != Matter::snow) continue;
@@ -185,12 +185,12 @@ void append_turf(std::string& text, const PovSpace& space, const Lawn& lawn, Sur
 std::string lawn_text(const PovSpace& space, const Scene& scene, const Color& grass, const Color& gravel,
                       const Color& earth) {
   const auto& lawn = ground_as<Lawn>(*scene.ground);
-  std::string green = scene.stage.year ? std::string(kYearGrass) : color_text(grass);
+  std::string green = scene.setup.year ? std::string(kYearGrass) : color_text(grass);
   std::string text;
   if (Mask map = lawn.map(); !map.empty()) declare_mask(text, space, map, "Grass_Map");
   text += floor_text(space, scene, "Meadow_Ground(" + green + ")");
-  bool wet = is_rainy(scene.stage);
-  std::string leaf = weather_over(is_snowy(scene.stage), wet, Wetting::leaf);
+  bool wet = is_rainy(scene.setup);
+  std::string leaf = weather_over(is_snowy(scene.setup), wet, Wetting::leaf);
   append_turf(text, space, lawn, &Turf::blades, "Turf", "texture{Meadow_Blade(" + green + ")}" + leaf);
   append_turf(text, space, lawn, &Turf::leaves, "Leaf", "texture{Meadow_Leaf(" + green + ")}" + leaf);
   append_turf(text, space, lawn, &Turf::flowers, "Bloom", "texture{Meadow_Bloom()}");

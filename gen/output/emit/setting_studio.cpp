@@ -7,8 +7,8 @@ namespace frond {
 namespace {
 
 std::string room_text(const Scene& scene, double time) {
-  const auto& studio = scene.stage.block<Studio>();
-  Daylight light = drawn_daylight(scene.stage);
+  const auto& studio = scene.setup.block<Studio>();
+  Daylight light = drawn_daylight(scene.setup);
   std::string view = eye_text(scene, time) + "," + look_text(scene, time) + ",";
   std::string text = "Studio_Globals()\nStudio_Room(" + view + color_text(studio.wall) + "," +
                      number_text(studio.distance) + "," + light_text(light.backdrop.front().light) + ")";

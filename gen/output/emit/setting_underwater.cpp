@@ -23,7 +23,7 @@ std::string caustics_name(const Scene& scene, double time) {
 }
 
 Result<std::vector<Picture>> caustics(const Scene& scene, double time) {
-  if (scene.stage.block<Water>().caustics <= 0) return std::vector<Picture>();
+  if (scene.setup.block<Water>().caustics <= 0) return std::vector<Picture>();
   auto quality = static_cast<int>(scene.film.quality);
   Raster picture = caustics_picture({.pixels = caustic_pixels(scene.film.quality),
                                      .focus = 0.27 + 0.04 * quality,
@@ -36,10 +36,10 @@ Result<std::vector<Picture>> caustics(const Scene& scene, double time) {
 
 /// Its macros take metres, in POV-Ray's axes.
 std::string water_text(const Scene& scene, double time) {
-  const auto& water = scene.stage.block<Water>();
+  const auto& water = scene.setup.block<Water>();
   std::string eye = eye_text(scene, time), look = look_text(scene, time);
   std::string near = color_text(water.near), sun = direction_text(water.sun);
-  Daylight light = drawn_daylight(scene.stage);
+  Daylight light = drawn_daylight(scene.setup);
   std::string text = globals_text("Water") + backdrop_text(light) + "Water_Setting(" + eye + "," +
                      light_text(light.fog) + "," + number_text(light.fade) + "," + sun + "," +
                      light_text(light.sunlight) + "," + number_text(water.caustics) + ",\"" +

@@ -58,8 +58,8 @@ std::string flakes_text(const PovSpace& space, const Scene& scene, double time) 
   std::vector<Streak> flakes = snow_flakes(scene, time), powder = snow_powder(scene, time);
   flakes.insert(flakes.end(), powder.begin(), powder.end());
   if (flakes.empty()) return {};
-  return streak_mesh_text(space, flakes, scene.stage.camera.location.at(time), StreakEnd::round, "Snow_Flake",
-                          flake_light(drawn_daylight(stage_at(scene.stage, time))));
+  return streak_mesh_text(space, flakes, scene.setup.camera.location.at(time), StreakEnd::round, "Snow_Flake",
+                          flake_light(drawn_daylight(setup_at(scene.setup, time))));
 }
 
 }  // namespace frond

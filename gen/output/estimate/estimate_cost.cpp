@@ -5,10 +5,10 @@
 #include <set>
 #include <string>
 
+#include "appearance/mask_drawing.h"
 #include "draw/eyes.h"
 #include "draw/levels.h"
 #include "draw/solids.h"
-#include "dress/mask_drawing.h"
 #include "emit/setting.h"
 #include "emit/solid.h"
 #include "estimate/estimate_ground_cost.h"
@@ -74,9 +74,9 @@ double render_seconds(const CostEstimate& f, double text, double tracing, const 
 }
 
 /// Bytes of text that a node takes.
-double node_bytes(const SizeEstimate& size, const Dress& dress) {
-  const Look& look = dress.look;
-  bool moves = dress.motion.wave.amplitude != 0 || dress.motion.growth.duration > 0;
+double node_bytes(const SizeEstimate& size, const Appearance& appearance) {
+  const Look& look = appearance.look;
+  bool moves = appearance.motion.wave.amplitude != 0 || appearance.motion.growth.duration > 0;
   if (look.branches.coat) return look.branches.coat->twigs > 0 ? kTwigCoatNode : kCoatNode;
   if (size.riding) return kMovingNode;
   if (!size.chains) return moves ? kMovingNode : kStillNode;
@@ -95,7 +95,7 @@ double model_bytes(const Preset& preset, const Organism& organism, const SizeEst
   constexpr double kWoodNode = 100, kPart = 540;
   constexpr double kFarthest = 200;  // metres, where copies stand all over the land
   const SowRules& where = organism.sown->where;
-  const Camera& camera = preset.stage.camera;
+  const Camera& camera = preset.setup.camera;
   double reach = where.reach > 0 ? where.reach : kFarthest;
   Vec3 middle(where.center.x, 0, where.center.y);
   double away = 1e30;  // the camera at its nearest
@@ -123,11 +123,11 @@ struct WoodCostEstimate {
 
 /// A body that is fused or built of cubes is estimated by a small one that is grown; where that would take
 /// long, by its nodes.
-WoodCostEstimate estimate_wood_cost(const Organism& organism, const SizeEstimate& size, const Dress& dress,
-                                    Seed seed) {
+WoodCostEstimate estimate_wood_cost(const Organism& organism, const SizeEstimate& size,
+                                    const Appearance& appearance, Seed seed) {
   constexpr double kGrown = 0.2;  // seconds that growing one may take
   constexpr double kBlockBytes = 6800, kBlockSeconds = 2e-3, kBlockHeld = 9000, kOwnVoxelBlocks = 110;
-  if (organism.style.build == Build::sweeps) return {node_bytes(size, dress) * size.nodes, 0, 0};
+  if (organism.style.build == Build::sweeps) return {node_bytes(size, appearance) * size.nodes, 0, 0};
   WoodCostEstimate wood{kBodyNode * size.nodes, kBodyNode * size.nodes, kBodyNode * size.nodes / 1e6};
   if (size.nodes / size.nodes_a_second + size.seconds > kGrown) return wood;
   Result<Model> one = organism.grower->grow_copy(organism, seed);
@@ -146,7 +146,7 @@ WoodCostEstimate estimate_wood_cost(const Organism& organism, const SizeEstimate
 double pixel_at(const Preset& preset, const Organism& organism, double tall, double reach) {
   Vec2 foot = organism.place.at.empty() ? organism.place.center : organism.place.at[0];
   Vec3 middle(foot.x, static_cast<float>(organism.place.raise + tall / 2), foot.y);
-  return nearest_pixel(eyes(preset.film, preset.stage.camera), middle, reach);
+  return nearest_pixel(eyes(preset.film, preset.setup.camera), middle, reach);
 }
 
 /// Triangles of a body that are written: no finer than the camera sees them.
@@ -219,10 +219,10 @@ struct Sums {
 
   void add_drawing(const Drawing& drawing, double& memory);
   void add_pictures(const Look& look);
-  void add_sown(const Preset& preset, std::size_t o, const SizeEstimate& size, const Dress& dress,
+  void add_sown(const Preset& preset, std::size_t o, const SizeEstimate& size, const Appearance& appearance,
                 double made, double grows);
-  void add_standing(const Preset& preset, std::size_t o, const SizeEstimate& size, const Dress& dress,
-                    double made, double held, double grows, Seed seed);
+  void add_standing(const Preset& preset, std::size_t o, const SizeEstimate& size,
+                    const Appearance& appearance, double made, double held, double grows, Seed seed);
 };
 
 void Sums::add_drawing(const Drawing& drawing, double& memory) {
@@ -242,8 +242,8 @@ void Sums::add_pictures(const Look& look) {
   growing = std::max(growing, memory);
 }
 
-void Sums::add_sown(const Preset& preset, std::size_t o, const SizeEstimate& size, const Dress& dress,
-                    double made, double grows) {
+void Sums::add_sown(const Preset& preset, std::size_t o, const SizeEstimate& size,
+                    const Appearance& appearance, double made, double grows) {
   const Organism& organism = preset.organisms[o];
   double trees = trees_of_stand(preset, organism), count = organism.count + trees;
   double models = 0, model = model_bytes(preset, organism, size, count);
@@ -257,22 +257,22 @@ void Sums::add_sown(const Preset& preset, std::size_t o, const SizeEstimate& siz
   view.longest = std::max(view.longest, made);
   // Copies that are too far or out of view are left out.
   double lines = 0.4 * count * 2.5 * kPlacement;
-  bool sways =
-      (trees > 0 || dress.motion.wave.amplitude > 0 || sown_in_wind(organism, dress.motion, preset.stage)) &&
-      preset.film.frames > 1;
+  bool sways = (trees > 0 || appearance.motion.wave.amplitude > 0 ||
+                sown_in_wind(organism, appearance.motion, preset.setup)) &&
+               preset.film.frames > 1;
   (sways ? text : still) += lines;
   f.scene_memory += 40 * count;
   growing = std::max(growing, grows + 2 * model);
   if (lines + model > most) most = lines + model, f.largest = o;
 }
 
-void Sums::add_standing(const Preset& preset, std::size_t o, const SizeEstimate& size, const Dress& dress,
-                        double made, double held, double grows, Seed seed) {
+void Sums::add_standing(const Preset& preset, std::size_t o, const SizeEstimate& size,
+                        const Appearance& appearance, double made, double held, double grows, Seed seed) {
   const Organism& organism = preset.organisms[o];
   const GrowerTraits traits = organism.grower->traits();
   double count = number_of(organism);
   bool together = traits.finds_own_place();
-  WoodCostEstimate wood = estimate_wood_cost(organism, size, dress, seed);
+  WoodCostEstimate wood = estimate_wood_cost(organism, size, appearance, seed);
   double own = wood.bytes + kPlacement * size.parts + kCorner * size.corners;
   double solid = kTriangle * drawn_triangles(preset, organism, size) + kPlacement * size.blocks;
   f.organisms += count;
@@ -285,7 +285,7 @@ void Sums::add_standing(const Preset& preset, std::size_t o, const SizeEstimate&
   // A block is one of about so many shapes.
   constexpr double kBlockShapes = 13;
   standing += count * size.triangles * std::max(1.0, size.blocks / kBlockShapes);
-  f.ungrown_bytes += count * own * frames_ungrown(preset.film, dress.motion.growth, part);
+  f.ungrown_bytes += count * own * frames_ungrown(preset.film, appearance.motion.growth, part);
   body_memory = std::max(body_memory, wood.memory);
   body_seconds += count * wood.seconds;
   growing = std::max(growing, (together ? count : 1) * grows);
@@ -305,7 +305,7 @@ Result<Sums> sums_of(const Preset& preset, FilmPart part) {
   MaskCostEstimate masks = estimate_masks(preset);
   sums.f.scene_memory = masks.held;
   sums.growing = masks.read;
-  if (const Mask& grass = preset.stage.block<Meadow>().lawn.map; !grass.empty())
+  if (const Mask& grass = preset.setup.block<Meadow>().lawn.map; !grass.empty())
     sums.add_drawing(mask_drawing(grass), sums.growing);
   const double shaded = left_in_shade(preset);
   const std::vector<Seed> seeds = entry_seeds(preset, "organism");
@@ -318,7 +318,7 @@ Result<Sums> sums_of(const Preset& preset, FilmPart part) {
     SizeEstimate& size = *sized;
     if (!organism.sown && grower.traits().shares_light())
       size.nodes *= shaded, size.organs *= shaded, size.parts *= shaded, size.seconds *= shaded;
-    Dress dress = grower.dress();
+    Appearance appearance = grower.appearance();
     double held = kHeldNode * size.nodes + kHeldOrgan * size.organs + kCorner * size.corners +
                   kHeldTriangle * size.triangles + 100 * size.blocks + size.held / 2;
     double grows = held + kGrowingNode * size.nodes + kGrowingOrgan * size.organs + 2 * size.word.bytes +
@@ -326,13 +326,13 @@ Result<Sums> sums_of(const Preset& preset, FilmPart part) {
     double made = size.nodes / size.nodes_a_second + size.organs / kOrgansGrown +
                   size.triangles / kTrianglesMade + size.word.work / kModulesDerived + size.seconds;
     bool develops = grower.traits().develops(preset.film.frames > 1);
-    sums.changing = sums.changing || dress.motion.growth.duration > 0 || develops ||
-                    moves_far(preset, organism, dress.motion);
-    sums.add_pictures(dress.look);
+    sums.changing = sums.changing || appearance.motion.growth.duration > 0 || develops ||
+                    moves_far(preset, organism, appearance.motion);
+    sums.add_pictures(appearance.look);
     if (organism.sown)
-      sums.add_sown(preset, o, size, dress, made, grows);
+      sums.add_sown(preset, o, size, appearance, made, grows);
     else
-      sums.add_standing(preset, o, size, dress, made, held, grows, seeds[o]);
+      sums.add_standing(preset, o, size, appearance, made, held, grows, seeds[o]);
   }
   return sums;
 }
@@ -360,16 +360,16 @@ Result<CostEstimate> estimate_cost(const Preset& preset, FilmPart part) {
   f.frames = part.count();
   f.resolve_memory = estimate_resolving(preset);
   f.tracing_disk = estimate_tracing_disk(preset.film);
-  f.exposures = exposures(preset.film, preset.stage.camera);
+  f.exposures = exposures(preset.film, preset.setup.camera);
   f.scene_memory += kProgram + ground.memory;
   f.growth_seconds += kStart + ground.seconds;
   sums->still += ground.bytes;
   f.scene_memory += 2 * (sums->still + sums->materials);
   f.frame_memory += kFrameBuffers + sums->body_memory;
-  bool rains = is_rainy(preset.stage) && highest(preset.stage.rain->rate) > 0;
-  sums->text += kStreaksText * (rains + (is_snowy(preset.stage) && highest(preset.stage.snow.falling) > 0));
-  bool fills = is_rainy(preset.stage) && !preset.stage.rain->fallen.constant();
-  bool each = (sums->changing || sun_moves(preset.stage) || fills) && preset.film.frames > 1;
+  bool rains = is_rainy(preset.setup) && highest(preset.setup.rain->rate) > 0;
+  sums->text += kStreaksText * (rains + (is_snowy(preset.setup) && highest(preset.setup.snow.falling) > 0));
+  bool fills = is_rainy(preset.setup) && !preset.setup.rain->fallen.constant();
+  bool each = (sums->changing || sun_moves(preset.setup) || fills) && preset.film.frames > 1;
   f.growth_memory = f.scene_memory + std::max(sums->growing, each ? 0 : ground.light_memory);
   if (each) f.frame_memory += ground.light_memory;
   (each ? f.frame_seconds : f.growth_seconds) += ground.light_seconds;

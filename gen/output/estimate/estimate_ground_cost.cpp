@@ -44,7 +44,7 @@ constexpr double kOwnPixelBytes = 0.25, kOwnPixelSeconds = 8e-7;
 }  // namespace
 
 double tallest_of(const Preset& preset) {
-  const Camera& camera = preset.stage.camera;
+  const Camera& camera = preset.setup.camera;
   Vec3 at = camera.location.at(0), to = camera.look_at.at(0);
   constexpr double kTallest = 20;  // metres, of what does not know it
   double half = std::tan(radians(camera.angle.at(0)) / 2) * preset.film.aspect();
@@ -60,25 +60,25 @@ double tallest_of(const Preset& preset) {
 
 GroundCostEstimate estimate_ground_cost(const Preset& preset, double tall, bool crowded, double standing) {
   GroundCostEstimate cost;
-  const SettingAnswers& setting = settings()[preset.stage.setting].answers;
-  GroundSizeEstimate laid = setting.estimate_size(preset.stage, preset.film);
+  const SettingAnswers& setting = settings()[preset.setup.setting].answers;
+  GroundSizeEstimate laid = setting.estimate_size(preset.setup, preset.film);
   cost.pictures = kOwnPixelBytes * laid.pixels;
   cost.picture_seconds = kOwnPixelSeconds * laid.pixels;
-  if (has_pictures(preset.stage) && laid.pixels == 0) cost.tracing = kPlainLight;
+  if (has_pictures(preset.setup) && laid.pixels == 0) cost.tracing = kPlainLight;
   double pieces = laid.triangles + laid.grass + laid.placed;
   cost.memory = kLaidTriangleHeld * (laid.triangles + laid.grass) + kLaidPlacementHeld * laid.placed;
 
   Scene scene;
   scene.film = preset.film;
-  scene.stage = preset.stage;
+  scene.setup = preset.setup;
   std::unique_ptr<Grounds> ground =
-      setting.lay(preset.stage, preset.film, reach_of(preset), Seed{preset.seed});
-  if (preset.stage.camera.follow) scene.stage.camera = over_ground(preset.stage.camera, ground->heights());
+      setting.lay(preset.setup, preset.film, reach_of(preset), Seed{preset.seed});
+  if (preset.setup.camera.follow) scene.setup.camera = over_ground(preset.setup.camera, ground->heights());
   bool moment = pieces < kLaidAtOnce;
   if (moment) {
     TakenSpots taken;
     ground->strew(taken);
-    ground->lay_litter(scene.stage.camera);
+    ground->lay_litter(scene.setup.camera);
   }
   scene.ground = std::move(ground);
   if (std::optional<DistantTerrain> far = far_land_round(scene, Seed{preset.seed}.child("far"))) {
@@ -90,13 +90,13 @@ GroundCostEstimate estimate_ground_cost(const Preset& preset, double tall, bool 
                       : kLaidTriangleText * laid.triangles + kGrassTriangleText * laid.grass +
                             kLaidPlacementText * laid.placed;
   cost.seconds += pieces / kGroundLaid + cost.bytes / kGroundWritten;
-  if (is_snowy(preset.stage) && preset.stage.snow.deepest() > 0) {
+  if (is_snowy(preset.setup) && preset.setup.snow.deepest() > 0) {
     double rings = snow_rings(preset.film.quality), triangles = 4 * rings * rings;
     cost.bytes += kSnowText * triangles, cost.memory += kSnowHeld * triangles;
     cost.seconds += kSnowLaid * triangles;
   }
-  if (is_rainy(preset.stage)) cost.bytes += kPuddlesText, cost.seconds += kPuddlesFilled;
-  if (!has_soft_light(preset.stage)) return cost;
+  if (is_rainy(preset.setup)) cost.bytes += kPuddlesText, cost.seconds += kPuddlesFilled;
+  if (!has_soft_light(preset.setup)) return cost;
   SoftLight::Size light = estimate_light(scene, tall);
   crowded = crowded || scene.ground->low_cover().area > kDenseCover;
   double probes = light.cover > 0 || crowded ? kProbesCovered * light.land + kProbesCover * light.cover

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "motion/motion.h"
-#include "settings/stage.h"
+#include "settings/scene_setup.h"
 
 namespace frond {
 

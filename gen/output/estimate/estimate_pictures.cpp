@@ -17,9 +17,9 @@ MaskCostEstimate estimate_masks(const Preset& preset) {
     masks.held += kMaskHeld * pixels;
     masks.read = std::max(masks.read, kRead * pixels);
   };
-  add(preset.stage.block<Meadow>().lawn.map);
-  add(preset.stage.block<Forest>().moss_map);
-  add(preset.stage.snow.depth_map);
+  add(preset.setup.block<Meadow>().lawn.map);
+  add(preset.setup.block<Forest>().moss_map);
+  add(preset.setup.snow.depth_map);
   for (const Organism& organism : preset.organisms)
     if (organism.sown) add(organism.sown->where.map);
   return masks;
@@ -39,7 +39,7 @@ double estimate_resolving(const Preset& preset) {
   if (!film.raw) return 0;
   double samples = static_cast<double>(film.drawn_size()[0]) * film.drawn_size()[1];
   // A still that is seen without a lens is made in bands, of a raw file that is held as it is.
-  if (film.frames == 1 && !preset.stage.camera.aperture && samples > kResolvedWhole)
+  if (film.frames == 1 && !preset.setup.camera.aperture && samples > kResolvedWhole)
     return kSampleHeld * kResolvedWhole + 3 * samples;
   return kSampleHeld * samples * std::min(film.frames, kFrames);
 }

@@ -65,7 +65,7 @@ Bough bough_of(const std::vector<ExportPart>& parts, std::span<const Leaf> leave
     const Surface& s = parts[leaf.part].surface;
     for (std::uint32_t i : leaf.triangles) {
       sitters[leaf.part].triangles.push_back(i);
-      for (std::uint32_t corner : s.triangle[i]) bough.box.take(s.position[corner]);
+      for (std::uint32_t corner : s.triangle[i]) bough.box.extend(s.position[corner]);
     }
     bough.middle += leaf.middle * leaf.area, sum += leaf.area;
   }
@@ -81,7 +81,7 @@ void part_into(const std::vector<ExportPart>& parts, std::span<Leaf> leaves, int
   if (leaves.empty()) return;
   if (count <= 1 || leaves.size() == 1) return boughs.push_back(bough_of(parts, leaves));
   Bounds box;
-  for (const Leaf& leaf : leaves) box.take(leaf.middle);
+  for (const Leaf& leaf : leaves) box.extend(leaf.middle);
   Vec3 size = box.size();
   int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   int half = count / 2;
@@ -96,7 +96,7 @@ Bough whole_of(const std::vector<const ExportPart*>& parts) {
   Bough bough;
   for (const ExportPart* part : parts) {
     bough.sitters.push_back({part});
-    for (const Vec3& p : part->surface.position) bough.box.take(p);
+    for (const Vec3& p : part->surface.position) bough.box.extend(p);
   }
   bough.middle = bough.box.middle();
   return bough;
@@ -125,13 +125,13 @@ Side side_of(const Bough& bough, Vec3 right, Vec3 up, int pixels) {
   Side side{{right, up, Vec2(1e30f), Vec2(-1e30f), pixels, pixels}, {}, {}, {}};
   for (const Sitter& sitter : bough.sitters) {
     const Surface& s = sitter.part->surface;
-    auto take = [&](Vec3 p) {
+    auto extend = [&](Vec3 p) {
       Vec2 at(glm::dot(p, right), glm::dot(p, up));
       side.view.low = glm::min(side.view.low, at), side.view.high = glm::max(side.view.high, at);
     };
-    if (sitter.triangles.empty()) std::ranges::for_each(s.position, take);
+    if (sitter.triangles.empty()) std::ranges::for_each(s.position, extend);
     for (std::uint32_t t : sitter.triangles)
-      for (std::uint32_t corner : s.triangle[t]) take(s.position[corner]);
+      for (std::uint32_t corner : s.triangle[t]) extend(s.position[corner]);
   }
   side.view.high = glm::max(side.view.high, side.view.low + 1e-4f);
   Vec3 middle = bough.middle;
@@ -236,7 +236,7 @@ Result<ExportPart> crossed(Maker& maker, std::vector<Bough>& boughs, int cell, b
       ++number;
     }
     shown.insert(shown.end(), bough.sitters.begin(), bough.sitters.end());
-    box.take(bough.box);
+    box.extend(bough.box);
   }
   BakedPictures pictures;
   pictures.mean = sheet.fill();
@@ -273,7 +273,7 @@ Errors fit_leaves(Maker& maker, std::size_t index) {
   std::vector<ExportPart*> first = leaves_in(mesh.parts);
   if (first.empty() || mesh.coarser.empty()) return {};
   for (const ExportPart* part : first)
-    for (const Vec3& at : part->surface.position) box.take(at);
+    for (const Vec3& at : part->surface.position) box.extend(at);
   Result<double> wanted = covered(first);
   if (!wanted) return wanted.errors();
   for (std::size_t level = 1; level <= mesh.coarser.size(); ++level) {

@@ -85,14 +85,14 @@ class SceneExporter {
       parts.push_back(std::move(part));
     }
     if (maker_.level == 0) wood_ = triangles_of(parts);
-    stand("branches", std::move(parts));
+    add_in_place("branches", std::move(parts));
     maker_.spare = 0;
     return {};
   }
 
-  void stand(const std::string& part, std::vector<ExportPart> parts) {
+  void add_in_place(const std::string& part, std::vector<ExportPart> parts) {
     leave_out_still(parts);
-    maker_.stand(part, std::move(parts));
+    maker_.add_in_place(part, std::move(parts));
   }
 
   void add_organs() {
@@ -120,7 +120,7 @@ class SceneExporter {
     now_leaves_ = 0;
     for (auto& [name, parts] : meshes) {
       now_leaves_ += triangles_of(parts);
-      stand(name, std::move(parts));
+      add_in_place(name, std::move(parts));
     }
     if (maker_.level == 0) leaves_ = now_leaves_;
   }
@@ -178,7 +178,7 @@ class SceneExporter {
       if (maker_.level > 0) make_fewer(part.surface);
       parts.push_back(std::move(part));
     }
-    stand("blades", std::move(parts));
+    add_in_place("blades", std::move(parts));
   }
 
   /// Fewer blades, of two triangles each, none of which is much larger than the first level's.
@@ -260,7 +260,7 @@ Result<ExportScene> export_scene(const Scene& scene, double time, const ExportOp
     return Error{"", "nothing grows or stands at that frame: there is nothing to write"};
   if (!options.keys.empty() && std::ranges::none_of(exported.meshes, &ExportMesh::moves))
     return Error{"", "nothing moves from the first of those frames to the last"};
-  if (Errors errors = maker.palette.draw(); !errors.empty()) return errors;
+  if (Errors errors = maker.palette.make_pictures(); !errors.empty()) return errors;
   if (Errors errors = add_crossed_levels(maker); !errors.empty()) return errors;
   for (double time_of : options.keys) exported.keys.push_back(time_of - options.keys[0]);
   return exported;

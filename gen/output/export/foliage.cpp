@@ -153,7 +153,7 @@ Bounds box_of(const Model& model) {
   for (std::size_t i = 0; i < o.size(); ++i)
     for (const OrganPart& part : model.prototypes[o.prototype[i]].parts)
       for (const Vec3& p : part.surface.position)
-        if (part.tissue != Tissue::dew) box.take(o.position[i] + o.turn[i] * (o.scale[i] * p));
+        if (part.tissue != Tissue::dew) box.extend(o.position[i] + o.turn[i] * (o.scale[i] * p));
   return box;
 }
 
@@ -256,7 +256,7 @@ void keep_in_box(std::vector<LeafPart>& parts, const Bounds& box) {
     begin.push_back(list.size());
     for (std::uint32_t k = 0; k < pieces[p].count; ++k) list.push_back({p, k, {}});
     for (std::size_t v = 0; v < s.position.size(); ++v)
-      list[begin[p] + pieces[p].of[v]].box.take(s.position[v]);
+      list[begin[p] + pieces[p].of[v]].box.extend(s.position[v]);
   }
   if (list.empty() || box.empty()) return;
   for (Piece& piece : list) {

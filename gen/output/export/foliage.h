@@ -4,8 +4,8 @@
 #include <map>
 #include <vector>
 
+#include "appearance/appearance.h"
 #include "core/bounds.h"
-#include "dress/dress.h"
 #include "model/model.h"
 
 namespace frond {

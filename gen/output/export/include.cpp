@@ -33,13 +33,13 @@ int level_at(double height, int detail) {
 Bounds box_of(const Specimen& specimen) {
   Bounds box;
   for (const CopyPart& part : copy_parts(specimen.look, specimen.model, {0.01, 2e5}))
-    for (const Vec3& p : part.surface.position) box.take(p);
+    for (const Vec3& p : part.surface.position) box.extend(p);
   return box;
 }
 
-double tall_of(const SownStand& stand) {
-  double height = stand.tallest();
-  return height > 0 ? height : 8 * stand.organism.sown->where.radius;
+double tall_of(const CopySet& set) {
+  double height = set.tallest();
+  return height > 0 ? height : 8 * set.organism.sown->where.radius;
 }
 
 /// Writes the parts of an include, each a macro that is only read where a scene asks for it.
@@ -62,13 +62,13 @@ class Writer {
     for (const Specimen& b : variant.scene.specimens) {
       Bounds own = box_of(b);
       heights.push_back(std::max(0.0f, own.size().y));
-      box_.take(own);
+      box_.extend(own);
     }
-    for (const SownStand& stand : variant.scene.stands)
-      for (std::size_t i = 0; i < stand.copies.size(); ++i) {
-        auto wide = static_cast<float>(stand.organism.sown->where.radius);
-        box_.take(stand.copies.foot[i] + Vec3(-wide, 0, -wide));
-        box_.take(stand.copies.foot[i] + Vec3(wide, static_cast<float>(tall_of(stand)), wide));
+    for (const CopySet& set : variant.scene.copy_sets)
+      for (std::size_t i = 0; i < set.copies.size(); ++i) {
+        auto wide = static_cast<float>(set.organism.sown->where.radius);
+        box_.extend(set.copies.foot[i] + Vec3(-wide, 0, -wide));
+        box_.extend(set.copies.foot[i] + Vec3(wide, static_cast<float>(tall_of(set)), wide));
       }
     shapes_ += fmt::format("#macro {}_Parts_{}()\n#local Frond_Unit = {};\n", what_.name, v,
                            number_text(parts.space.unit));
@@ -122,7 +122,7 @@ class Writer {
     std::set<std::string> names;
     for (std::size_t i = 0; i < plan.files.size(); ++i) {
       const ModelFile& file = plan.files[i];
-      const std::vector<Drawn>& drawn = plan.drawn[0][file.stand];
+      const std::vector<Drawn>& drawn = plan.drawn[0][file.copy_set];
       if (std::ranges::find(drawn, file.level, &Drawn::level) == drawn.end() ||
           !names.insert(file.name).second)
         continue;
@@ -151,9 +151,9 @@ class Writer {
     ObjectText text;
     for (std::size_t i = 0; i < scene.specimens.size(); ++i) {
       const Specimen& b = scene.specimens[i];
-      SownStand stand;
-      stand.organism.name = b.name;
-      stand.dress.look = b.look;
+      CopySet set;
+      set.organism.name = b.name;
+      set.appearance.look = b.look;
       ModelFile file;
       file.level = level_at(heights[i], detail - 1);
       file.name = fmt::format("model_{}_{}.inc",
@@ -164,7 +164,7 @@ class Writer {
                                                   : growing_bodies(b.model.solids, b.motion.growth,
                                                                    scene.film.time(what_.frames.back())))
         text += solid_text(parts.space, body, i);
-      ModelText model = model_texts({file}, stand, grown, {})[0];
+      ModelText model = model_texts({file}, set, grown, {})[0];
       std::string name = declared_name(file);
       text.text += model.title + model.body;
       for (int part : model.parts) {
@@ -308,18 +308,18 @@ std::string include_name(std::string_view file) {
 IncludeVariant include_variant(Scene scene) {
   IncludeVariant variant;
   std::erase_if(scene.specimens, [](const Specimen& b) { return b.entry == Traits::kNoEntry; });
-  scene.stage.setting = row_of("studio");
+  scene.setup.setting = row_of("studio");
   std::set<std::tuple<std::size_t, int, int>> files;
   for (int detail = 0; detail < kIncludeDetails; ++detail) {
     CopyPlan plan;
     plan.drawn.resize(1);
-    for (std::size_t s = 0; s < scene.stands.size(); ++s) {
-      const SownStand& stand = scene.stands[s];
-      int level = level_at(tall_of(stand), detail);
+    for (std::size_t s = 0; s < scene.copy_sets.size(); ++s) {
+      const CopySet& set = scene.copy_sets[s];
+      int level = level_at(tall_of(set), detail);
       std::vector<Drawn>& drawn = plan.drawn[0].emplace_back();
-      for (std::uint32_t i = 0; i < stand.copies.size(); ++i)
+      for (std::uint32_t i = 0; i < set.copies.size(); ++i)
         drawn.push_back({i, ModelFile::kWhole, static_cast<std::int16_t>(level)});
-      for (std::uint16_t model : stand.copies.model) files.insert({s, static_cast<int>(model), level});
+      for (std::uint16_t model : set.copies.model) files.insert({s, static_cast<int>(model), level});
     }
     variant.plans.push_back(std::move(plan));
   }
@@ -330,7 +330,7 @@ IncludeVariant include_variant(Scene scene) {
                             level,
                             ModelFile::kWhole,
                             0,
-                            model_file_name(scene.stands[s].organism, model, level),
+                            model_file_name(scene.copy_sets[s].organism, model, level),
                             {}});
   variant.scene = std::move(scene);
   return variant;

@@ -114,16 +114,16 @@ std::vector<std::size_t> macros_used(const MacroFiles& files, std::string_view t
   Owners owners = owners_of(files);
   std::vector<std::size_t> used;
   std::vector<bool> seen(files.size(), false);
-  std::function<void(std::string_view)> take = [&](std::string_view from) {
+  std::function<void(std::string_view)> reach = [&](std::string_view from) {
     each_word(from, [&](std::string_view word) {
       auto owner = owners.find(word);
       if (owner == owners.end() || seen[owner->second]) return;
       seen[owner->second] = true;
-      take(files[owner->second].second);
+      reach(files[owner->second].second);
       used.push_back(owner->second);
     });
   };
-  take(text);
+  reach(text);
   return used;
 }
 
@@ -145,18 +145,18 @@ std::string macros_reached(const MacroFiles& files, std::string_view text) {
   for (std::size_t i = 0; i < pieces.size(); ++i)
     for (std::string_view name : declared_in(pieces[i])) owners[name].push_back(i);
   std::vector<bool> reached(pieces.size(), false);
-  std::function<void(std::string_view)> take = [&](std::string_view from) {
+  std::function<void(std::string_view)> reach = [&](std::string_view from) {
     each_word(from, [&](std::string_view word) {
       auto owner = owners.find(word);
       if (owner == owners.end()) return;
       for (std::size_t i : owner->second) {
         if (reached[i]) continue;
         reached[i] = true;
-        take(pieces[i]);
+        reach(pieces[i]);
       }
     });
   };
-  take(text);
+  reach(text);
   std::string all;
   for (std::size_t i = 0; i < pieces.size(); ++i)
     if (reached[i]) all += pieces[i];

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "appearance/bleaching.h"
 #include "core/linear.h"
 #include "core/printable.h"
-#include "dress/bleaching.h"
 #include "export/bodies.h"
 #include "export/foliage.h"
 #include "geometry/far.h"
@@ -119,7 +119,7 @@ std::optional<std::size_t> Maker::mesh(const std::string& part, std::vector<Expo
   return {};
 }
 
-void Maker::stand(const std::string& part, std::vector<ExportPart> parts) {
+void Maker::add_in_place(const std::string& part, std::vector<ExportPart> parts) {
   for (ExportPart& p : parts)
     for (Vec3& at : p.surface.position) at -= foot();
   if (auto made = mesh(part, std::move(parts))) place(*made, foot(), Quat(1, 0, 0, 0), Vec3(1));
@@ -148,7 +148,7 @@ std::map<std::string, std::vector<ExportPart>> by_name(Maker& maker, const Look&
 
 void Maker::add_bodies(const Look& look, std::span<const DrawnBody> bodies, std::span<const Solids> keys) {
   if (bodies.empty()) return;
-  if (!options.instances) return stand("body", body_parts(*this, look, bodies, keys));
+  if (!options.instances) return add_in_place("body", body_parts(*this, look, bodies, keys));
   for (DrawnBody body : bodies) {
     std::vector<OrganPlace> places = std::exchange(body.places, {{Vec3(0), Quat(1, 0, 0, 0), Vec3(1)}});
     auto made = mesh(fmt::format("body_{}", body.shape), body_parts(*this, look, {&body, 1}));

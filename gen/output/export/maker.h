@@ -55,7 +55,7 @@ struct Maker {
     exported.placements.push_back({mesh, at, turn, scale, exported.groups.size() - 1});
   }
   /// Adds a mesh whose corners are where they stand in the world.
-  void stand(const std::string& part, std::vector<ExportPart> parts);
+  void add_in_place(const std::string& part, std::vector<ExportPart> parts);
 
   /// The bodies of an organism; `keys`: see body_parts().
   void add_bodies(const Look& look, std::span<const DrawnBody> bodies, std::span<const Solids> keys);

@@ -107,14 +107,14 @@ std::string Names::unique(const std::string& name) {
 }
 
 Palette::Use Palette::keep(const std::string& key, ExportMaterial made, const std::string& name,
-                           const std::string& picture, const Draw& draw, double wide, double high) {
+                           const std::string& picture, const PictureMaker& make, double wide, double high) {
   auto [at, fresh] = used_.try_emplace(key + key_of(made.factor) + key_of(made.color));
   if (!fresh) return at->second;
   made.name = names_.unique(name);
-  if (draw && options_.texture > 0) {
-    auto [which, first] = drawn_by_.try_emplace(picture, drawn_.size());
-    if (first) drawn_.push_back({made.name, draw, {}});
-    drawn_[which->second].materials.push_back(scene_.materials.size());
+  if (make && options_.texture > 0) {
+    auto [which, first] = drawn_by_.try_emplace(picture, pending_.size());
+    if (first) pending_.push_back({made.name, make, {}});
+    pending_[which->second].materials.push_back(scene_.materials.size());
   }
   at->second = {scene_.materials.size(), wide, high};
   scene_.materials.push_back(std::move(made));
@@ -127,10 +127,10 @@ Palette::Use Palette::keep_swatch(Swatch swatch, ExportMaterial made, const std:
   double wide = swatch.wide, high = wide * swatch.pixels[1] / swatch.pixels[0];
   std::string key = fmt::format("{} {} {} {}\n", swatch.light.x, swatch.light.y, swatch.light.z, rough) +
                     swatch_scene(swatch);
-  auto draw = [swatch = std::move(swatch), rough, &options = options_] {
+  auto make = [swatch = std::move(swatch), rough, &options = options_] {
     return bake(swatch, rough, options.bake);
   };
-  return keep(key, std::move(made), name, key, draw, wide, high);
+  return keep(key, std::move(made), name, key, make, wide, high);
 }
 
 std::size_t Palette::shown(ExportMaterial made, const std::string& name, BakedPictures pictures) {
@@ -146,19 +146,19 @@ std::size_t Palette::shown(ExportMaterial made, const std::string& name, BakedPi
   return scene_.materials.size() - 1;
 }
 
-Errors Palette::draw() {
-  std::vector<Result<BakedPictures>> made(drawn_.size(), BakedPictures{});
-  parallel_for(drawn_.size(), [&](std::size_t i) { made[i] = drawn_[i].draw(); });
-  for (std::size_t i = 0; i < drawn_.size(); ++i) {
+Errors Palette::make_pictures() {
+  std::vector<Result<BakedPictures>> made(pending_.size(), BakedPictures{});
+  parallel_for(pending_.size(), [&](std::size_t i) { made[i] = pending_[i].make(); });
+  for (std::size_t i = 0; i < pending_.size(); ++i) {
     if (!made[i]) return made[i].errors();
     auto add = [&](std::string& bytes, const char* word) {
       if (bytes.empty()) return kNoPicture;
-      scene_.pictures.push_back({drawn_[i].name + word, std::move(bytes)});
+      scene_.pictures.push_back({pending_[i].name + word, std::move(bytes)});
       return scene_.pictures.size() - 1;
     };
     std::size_t colors = add(made[i]->colors, "_color"), normals = add(made[i]->normals, "_normal"),
                 roughness = add(made[i]->roughness, "_roughness");
-    for (std::size_t of : drawn_[i].materials) {
+    for (std::size_t of : pending_[i].materials) {
       ExportMaterial& material = scene_.materials[of];
       if (made[i]->mean) material.color = srgb(linear(*made[i]->mean) * linear(material.factor));
       material.colors = colors, material.normals = normals, material.roughness = roughness;

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "appearance/appearance.h"
 #include "bake/bake.h"
-#include "dress/dress.h"
 #include "export/export_scene.h"
 #include "organisms/organism.h"
 
@@ -80,27 +80,27 @@ class Palette {
   /// The number of a material that shows given pictures.
   std::size_t shown(ExportMaterial made, const std::string& name, BakedPictures pictures);
 
-  /// Draws the pictures of all materials.
-  Errors draw();
+  /// Makes the pictures of all materials.
+  Errors make_pictures();
 
  private:
   /// Makes the files of a material's pictures.
-  using Draw = std::function<Result<BakedPictures>()>;
-  struct Drawn {
+  using PictureMaker = std::function<Result<BakedPictures>()>;
+  struct PendingPictures {
     std::string name;  // of the first material that shows it
-    Draw draw;
+    PictureMaker make;
     std::vector<std::size_t> materials;
   };
-  /// The material of that key; a new one is `made`, and shows what `draw` makes, once for each `picture`.
+  /// The material of that key; a new one is `made`, and shows what `make` gives, once for each `picture`.
   Use keep(const std::string& key, ExportMaterial made, const std::string& name, const std::string& picture,
-           const Draw& draw, double wide = 1, double high = 1);
+           const PictureMaker& make, double wide = 1, double high = 1);
   Use keep_swatch(Swatch swatch, ExportMaterial made, const std::string& name, double rough);
 
   ExportScene& scene_;
   const ExportOptions& options_;
   std::map<std::string, Use> used_;
-  std::map<std::string, std::size_t> drawn_by_;  // key of a picture -> index in drawn_
-  std::vector<Drawn> drawn_;
+  std::map<std::string, std::size_t> drawn_by_;  // key of a picture -> index in pending_
+  std::vector<PendingPictures> pending_;
   Names names_;
 };
 

@@ -18,9 +18,9 @@ namespace {
 constexpr double kGrains = 1000;     // along a model: what is finer is left out
 constexpr double kLeafShare = 0.25;  // of the detail of one that stands alone: what a model's leaves may take
 
-/// A model that has copies, and where they stand; stands of one species share theirs.
+/// A model that has copies, and where they stand; sets of one species share theirs.
 struct SownModel {
-  const SownStand* stand = nullptr;
+  const CopySet* copy_set = nullptr;
   int which = 0;
   std::vector<ExportPlacement> copies;  // of no mesh yet
 };
@@ -28,19 +28,18 @@ struct SownModel {
 std::vector<SownModel> models_of(const Scene& scene, double time) {
   std::vector<SownModel> models;
   std::map<std::string, std::size_t> index;  // by the model
-  for (const SownStand& stand : scene.stands) {
-    std::map<int, std::size_t> own;  // by its number in this stand
-    for (std::size_t i = 0; i < stand.copies.size(); ++i) {
-      if (!stand.copies.there(i, time)) continue;
-      int which = stand.copies.model[i];
+  for (const CopySet& set : scene.copy_sets) {
+    std::map<int, std::size_t> own;  // by its number in this set
+    for (std::size_t i = 0; i < set.copies.size(); ++i) {
+      if (!set.copies.there(i, time)) continue;
+      int which = set.copies.model[i];
       auto [at, fresh] = own.try_emplace(which);
       if (fresh) {
-        at->second = index.try_emplace(copy_id(stand.organism, which), models.size()).first->second;
-        if (at->second == models.size()) models.push_back({&stand, which, {}});
+        at->second = index.try_emplace(copy_id(set.organism, which), models.size()).first->second;
+        if (at->second == models.size()) models.push_back({&set, which, {}});
       }
-      models[at->second].copies.push_back({0, stand.copies.foot[i],
-                                           glm::normalize(stand.copies.turn_at(i, time)),
-                                           stand.copies.scale_at(i, time)});
+      models[at->second].copies.push_back(
+          {0, set.copies.foot[i], glm::normalize(set.copies.turn_at(i, time)), set.copies.scale_at(i, time)});
     }
   }
   return models;
@@ -52,10 +51,10 @@ Result<std::vector<Value>> each_grown(const std::vector<SownModel>& models, cons
   std::vector<Value> values(models.size());
   std::vector<Errors> errors(models.size());
   parallel_for(models.size(), [&](std::size_t i) {
-    const SownStand& stand = *models[i].stand;
-    Result<Model> model = grow_copy(stand.organism, models[i].which);
+    const CopySet& set = *models[i].copy_set;
+    Result<Model> model = grow_copy(set.organism, models[i].which);
     if (model)
-      values[i] = visit(stand.dress.look, *model);
+      values[i] = visit(set.appearance.look, *model);
     else
       errors[i] = model.errors();
   });
@@ -139,14 +138,14 @@ Errors add_sown(Maker& maker, const Scene& scene, double time) {
       models, [&](const Look& look, Model& model) { return shapes_of(look, model, maker.options); });
   if (!shapes) return shapes.errors();
   for (std::size_t m = 0; m < models.size(); ++m) {
-    const SownStand& stand = *models[m].stand;
-    if (m == 0 || &stand != models[m - 1].stand)
-      maker.begin(plain_name(stand.organism.name, "organism"), Vec3(0), true);
+    const CopySet& set = *models[m].copy_set;
+    if (m == 0 || &set != models[m - 1].copy_set)
+      maker.begin(plain_name(set.organism.name, "organism"), Vec3(0), true);
     std::optional<std::size_t> mesh;
     maker.begun.clear();
     for (SownShape& shape : (*shapes)[m]) {
       if (maker.whole_is_crossed()) break;
-      auto made = maker.mesh(std::to_string(models[m].which), parts_of(maker, stand.dress.look, shape));
+      auto made = maker.mesh(std::to_string(models[m].which), parts_of(maker, set.appearance.look, shape));
       if (maker.level++ == 0) mesh = made;
     }
     maker.level = 0;

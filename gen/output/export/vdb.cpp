@@ -30,7 +30,7 @@ void add_branches(Gathered& all, const DrawnBranches& b, bool own_voxel) {
   add_boughs(all.boughs, b.rest(), b.pose.position, b.pose.radius, b.pose.front,
              static_cast<float>(style.blend), all.nodes);
   all.nodes += static_cast<std::int32_t>(b.rest().size());
-  for (const Vec3& p : b.pose.position) all.box.take(p);
+  for (const Vec3& p : b.pose.position) all.box.extend(p);
   if (own_voxel && style.build != Build::sweeps)
     all.options.voxel = all.options.voxel > 0 ? std::min(all.options.voxel, style.voxel) : style.voxel;
   all.options.limit = std::max(all.options.limit, style.limit);
@@ -80,7 +80,7 @@ Result<Volume> export_volume(const Scene& scene, double time, const ExportOption
   if (!sown) return sown.errors();
   for (const SownBranches& model : *sown)
     for (const ExportPlacement& copy : model.copies)
-      for (const Vec3& p : model.rest.position) all.box.take(at_copy(copy, p));
+      for (const Vec3& p : model.rest.position) all.box.extend(at_copy(copy, p));
   if (all.boughs.cones.empty() && sown->empty())
     return scene.specimens.empty() ? Error{"", "there are no branches to make a volume of"}
                                    : Error{"", std::string(kNothingYet) +

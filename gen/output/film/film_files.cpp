@@ -36,7 +36,7 @@ Model for_level(Model model, int level) {
 /// A model of one stand or, of one species, of several.
 struct SownModel {
   struct Use {
-    std::size_t stand;
+    std::size_t copy_set;
     ModelPlan plan;
   };
   std::vector<Use> uses;
@@ -51,8 +51,8 @@ struct SownModel {
 class ModelWriter {
  public:
   ModelWriter(const Scene& scene, const fs::path& folder) : scene_(scene), folder_(folder), views_(scene) {
-    for (std::size_t s = 0; s < scene.stands.size(); ++s)
-      for (int model : models_of(scene.stands[s])) {
+    for (std::size_t s = 0; s < scene.copy_sets.size(); ++s)
+      for (int model : models_of(scene.copy_sets[s])) {
         std::string id = id_of(s, model);
         SownModel& one = models_[id];
         one.uses.push_back({s, {}});
@@ -81,14 +81,14 @@ class ModelWriter {
   }
 
  private:
-  std::string id_of(std::size_t stand, int model) const {
-    const Organism& organism = scene_.stands[stand].organism;
+  std::string id_of(std::size_t copy_set, int model) const {
+    const Organism& organism = scene_.copy_sets[copy_set].organism;
     return copy_id(organism, model, copy_seasons(organism, scene_.film).has_value());
   }
 
   /// Those that its copies are of.
-  static std::set<int> models_of(const SownStand& stand) {
-    return {stand.copies.model.begin(), stand.copies.model.end()};
+  static std::set<int> models_of(const CopySet& set) {
+    return {set.copies.model.begin(), set.copies.model.end()};
   }
 
   /// What an earlier run knew of it.
@@ -105,7 +105,7 @@ class ModelWriter {
     std::set<std::string_view> names;
     one.missing.assign(kLevelCount, {});
     for (SownModel::Use& use : one.uses) {
-      use.plan = views_.plan(use.stand, one.number, one.summary.surfels);
+      use.plan = views_.plan(use.copy_set, one.number, one.summary.surfels);
       for (const ModelFile& file : use.plan.files) {
         std::error_code none;
         bool known =
@@ -119,21 +119,21 @@ class ModelWriter {
   /// Whether the film sees it grow.
   bool grows(const SownModel& one) const {
     return turns(one) || std::ranges::any_of(one.uses, [&](const SownModel::Use& use) {
-             return copy_growth(scene_.stands[use.stand].organism, scene_.film, one.number).has_value();
+             return copy_growth(scene_.copy_sets[use.copy_set].organism, scene_.film, one.number).has_value();
            });
   }
 
   /// Whether the film sees its leaves change.
   bool turns(const SownModel& one) const {
-    return copy_seasons(scene_.stands[one.uses[0].stand].organism, scene_.film).has_value();
+    return copy_seasons(scene_.copy_sets[one.uses[0].copy_set].organism, scene_.film).has_value();
   }
 
   Errors grow(SownModel& one) const {
-    const SownStand& stand = scene_.stands[one.uses[0].stand];
-    Result<Model> model = grow_copy(stand.organism, one.number, turns(one));
+    const CopySet& set = scene_.copy_sets[one.uses[0].copy_set];
+    Result<Model> model = grow_copy(set.organism, one.number, turns(one));
     if (!model) return model.errors();
     if (one.missing.empty()) {
-      one.summary.surfels = surfels_of(stand.dress.look, *model);
+      one.summary.surfels = surfels_of(set.appearance.look, *model);
       if (Errors errors = write_summary(one); !errors.empty()) return errors;
       plan(one);
     }
@@ -162,7 +162,7 @@ class ModelWriter {
   /// Files first, so that the summary names none that is not there.
   Errors write_level(SownModel& one, const std::vector<ModelFile>& files, const Model& model) const {
     std::vector<ModelText> texts =
-        model_texts(files, scene_.stands[one.uses[0].stand], model, blocks_of(one.summary.surfels));
+        model_texts(files, scene_.copy_sets[one.uses[0].copy_set], model, blocks_of(one.summary.surfels));
     for (std::size_t k = 0; k < files.size(); ++k) {
       Result<bool> written = write_file(folder_ / files[k].name, texts[k].file_text());
       if (!written) return written.errors();
@@ -178,11 +178,11 @@ class ModelWriter {
 
   CopyPlan joined() const {
     CopyPlan plan = views_.empty_plan();
-    for (std::size_t s = 0; s < scene_.stands.size(); ++s)
-      for (int model : models_of(scene_.stands[s])) {
+    for (std::size_t s = 0; s < scene_.copy_sets.size(); ++s)
+      for (int model : models_of(scene_.copy_sets[s])) {
         const SownModel& one = models_.at(id_of(s, model));
         std::size_t first = plan.files.size();
-        Views::add(plan, s, std::ranges::find(one.uses, s, &SownModel::Use::stand)->plan);
+        Views::add(plan, s, std::ranges::find(one.uses, s, &SownModel::Use::copy_set)->plan);
         for (std::size_t f = first; f < plan.files.size(); ++f)
           plan.files[f].parts = one.summary.parts.at({plan.files[f].level, plan.files[f].block});
         if (one.grown) plan.growing[{s, model}] = one.grown;
@@ -237,7 +237,7 @@ Errors write_drawings(const Scene& scene, const fs::path& folder, const Progress
 }
 
 Errors write_light(const Scene& scene, FrameParts& parts, const fs::path& folder) {
-  if (!has_soft_light(scene.stage)) return {};
+  if (!has_soft_light(scene.setup)) return {};
   if (light_changes(scene, parts.pixel)) {
     parts.light = kOwnLight;
     return {};
@@ -253,7 +253,7 @@ Errors write_light(const Scene& scene, FrameParts& parts, const fs::path& folder
 Result<FrameFile> write_frame_file(const Scene& scene, const FrameParts& parts, const std::string& layout,
                                    const fs::path& folder, int frame, int exposure) {
   double time =
-      exposure > 0 ? exposure_time(scene.film, scene.stage.camera, frame, exposure) : scene.film.time(frame);
+      exposure > 0 ? exposure_time(scene.film, scene.setup.camera, frame, exposure) : scene.film.time(frame);
   if (parts.light == kOwnLight && exposure <= 1) {
     Result<std::string> light =
         soft_light_text(parts.space, scene, parts.plan.surfels, scene.film.time(frame), true);

@@ -12,7 +12,7 @@ namespace frond {
 // What a film needs on the disk, each file whole or not there. A watch hears of the phases "texture" and
 // "models".
 
-/// Plans how the copies of stands are drawn, and grows the models whose files are not in a folder yet.
+/// Plans how copies are drawn, and grows the models whose files are not in a folder yet.
 Result<CopyPlan> write_models(const Scene& scene, const std::filesystem::path& folder,
                               const ProgressSink& watch);
 

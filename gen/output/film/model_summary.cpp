@@ -10,15 +10,15 @@ namespace frond {
 
 namespace {
 
-/// Takes the words of a text, one after the other; nothing more after the first that is not as expected.
-class Words {
+/// Reads the tokens of a text, one after the other; nothing more after the first that is not as expected.
+class TokenReader {
  public:
-  explicit Words(std::string_view text) : text_(text) {}
+  explicit TokenReader(std::string_view text) : text_(text) {}
 
   bool expect(std::string_view word) { return good_ = next() == word && good_; }
 
   template <class Number>
-  bool take(Number& number) {
+  bool read(Number& number) {
     std::string_view word = next();
     const char* end = word.data() + word.size();
     auto [at, fault] = std::from_chars(word.data(), end, number);
@@ -68,24 +68,24 @@ std::string summary_text(const ModelSummary& summary) {
 
 std::optional<ModelSummary> read_summary(std::string_view text) {
   ModelSummary summary;
-  Words words(text);
+  TokenReader tokens(text);
   std::size_t surfels = 0, files = 0;
-  bool good = words.expect("surfels") && words.take(surfels);
+  bool good = tokens.expect("surfels") && tokens.read(surfels);
   for (std::size_t i = 0; i < surfels && good; ++i) {
     Surfel& c = summary.surfels.emplace_back();
     for (float* number :
          {&c.at.x, &c.at.y, &c.at.z, &c.area, &c.wide, &c.albedo.x, &c.albedo.y, &c.albedo.z, &c.bulk})
-      good = words.take(*number);
+      good = tokens.read(*number);
   }
-  good = words.expect("files") && words.take(files);
+  good = tokens.expect("files") && tokens.read(files);
   for (std::size_t i = 0; i < files && good; ++i) {
     std::pair<int, int> file;
     std::size_t count = 0;
-    good = words.take(file.first) && words.take(file.second) && words.take(count);
+    good = tokens.read(file.first) && tokens.read(file.second) && tokens.read(count);
     std::vector<int>& parts = summary.parts[file];
-    for (std::size_t k = 0; k < count && good; ++k) good = words.take(parts.emplace_back());
+    for (std::size_t k = 0; k < count && good; ++k) good = tokens.read(parts.emplace_back());
   }
-  return words.expect("end") ? std::optional(std::move(summary)) : std::nullopt;
+  return tokens.expect("end") ? std::optional(std::move(summary)) : std::nullopt;
 }
 
 }  // namespace frond

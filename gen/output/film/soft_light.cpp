@@ -34,16 +34,16 @@ Bounds room_of(const Scene& scene, const Specimens& now, const Surfels& surfels,
   Bounds room;
   for (const auto& b : now) {
     const Model& m = b->model;
-    for (const Vec3& at : m.skeleton.position) room.take(at, 0.1f);
+    for (const Vec3& at : m.skeleton.position) room.extend(at, 0.1f);
     for (std::size_t i = 0; i < m.organs.size(); ++i)
-      room.take(m.organs.position[i],
-                std::max({m.organs.scale[i].x, m.organs.scale[i].y, m.organs.scale[i].z}));
-    for (const Vec3& at : fallen_nodes(*b)) room.take(at, 0.3f);
-    room.take(bounds_of(m.solids));
-    for (const Vec3& at : m.blades.surface.position) room.take(at);
+      room.extend(m.organs.position[i],
+                  std::max({m.organs.scale[i].x, m.organs.scale[i].y, m.organs.scale[i].z}));
+    for (const Vec3& at : fallen_nodes(*b)) room.extend(at, 0.3f);
+    room.extend(bounds_of(m.solids));
+    for (const Vec3& at : m.blades.surface.position) room.extend(at);
   }
-  for (std::size_t s = 0; s < scene.stands.size(); ++s) {
-    const Copies& copies = scene.stands[s].copies;
+  for (std::size_t s = 0; s < scene.copy_sets.size(); ++s) {
+    const Copies& copies = scene.copy_sets[s].copies;
     std::vector<float> reach;
     for (const auto& model : surfels[s]) {
       float far = 0;
@@ -53,10 +53,10 @@ Bounds room_of(const Scene& scene, const Specimens& now, const Surfels& surfels,
     for (std::size_t i = 0; i < copies.size(); ++i)
       if (copies.there(i, time)) {
         Vec3 scale = copies.scale_at(i, time);
-        room.take(copies.foot[i], std::max(scale.x, scale.y) * reach[copies.model[i]]);
+        room.extend(copies.foot[i], std::max(scale.x, scale.y) * reach[copies.model[i]]);
       }
   }
-  for (const Vec3& at : scene.ground->floor().position) room.take(at, 0.2f);
+  for (const Vec3& at : scene.ground->floor().position) room.extend(at, 0.2f);
   Vec3 far(kFarthest, 1e6f, kFarthest);
   return {glm::max(room.low, -far), glm::min(room.high, far)};
 }
@@ -83,9 +83,9 @@ void add_ground(SoftLight& grid, const Scene& scene, Vec3 albedo) {
 }
 
 void add_copies(SoftLight& grid, const Scene& scene, const Surfels& surfels, double time) {
-  for (std::size_t s = 0; s < scene.stands.size(); ++s) {
-    const Copies& copies = scene.stands[s].copies;
-    std::optional<Seasons> seasons = copy_seasons(scene.stands[s].organism, scene.film);
+  for (std::size_t s = 0; s < scene.copy_sets.size(); ++s) {
+    const Copies& copies = scene.copy_sets[s].copies;
+    std::optional<Seasons> seasons = copy_seasons(scene.copy_sets[s].organism, scene.film);
     float leaves = seasons ? static_cast<float>(leaf_area_share(*seasons, seasons->at.at(time))) : 1;
     parallel_for(copies.size(), [&](std::size_t i) {
       if (!copies.there(i, time)) return;
@@ -179,7 +179,7 @@ std::vector<Probe> far_probes(const DistantTerrain& far, const Ambience& ambienc
 
 SoftLight::Size estimate_light(const Scene& scene, double tall) {
   Bounds room;
-  for (const Vec3& at : scene.ground->floor().position) room.take(at, 0.2f);
+  for (const Vec3& at : scene.ground->floor().position) room.extend(at, 0.2f);
   if (room.empty()) room = {Vec3(-1, 0, -1), Vec3(1, 0, 1)};
   room.high.y += static_cast<float>(tall);
   Vec3 far(kFarthest, 1e6f, kFarthest);
@@ -198,11 +198,11 @@ double light_reach(Quality quality, double pixel) {
 bool light_changes(const Scene& scene, std::span<const double> pixel) {
   if (scene.film.frames <= 1) return false;
   auto changes = [](const Specimen& s) { return s.life.changes() || s.motion.growth.duration > 0; };
-  auto turns = [&](const SownStand& s) {
+  auto turns = [&](const CopySet& s) {
     return !s.copies.span.empty() || copy_seasons(s.organism, scene.film);
   };
-  if (sun_moves(scene.stage) || std::ranges::any_of(scene.specimens, changes) ||
-      std::ranges::any_of(scene.stands, turns))
+  if (sun_moves(scene.setup) || std::ranges::any_of(scene.specimens, changes) ||
+      std::ranges::any_of(scene.copy_sets, turns))
     return true;
   std::atomic<bool> leaves = false;
   parallel_for(scene.specimens.size(), [&](std::size_t i) {

@@ -23,10 +23,10 @@ Errors refuse_resolving(const Film& film, const std::optional<bool>& asked) {
 Result<FrameRange> read_frames(const std::string& text, int count) {
   std::string_view rest = text;
   FrameRange range{};
-  range.first = range.last = take_whole(rest);
+  range.first = range.last = consume_whole(rest);
   if (!rest.empty() && rest.front() == '-') {
     rest.remove_prefix(1);
-    range.last = take_whole(rest);
+    range.last = consume_whole(rest);
   }
   bool written = rest.empty() && range.first >= 1 && range.last >= range.first;
   if (written && range.last <= count) return range;

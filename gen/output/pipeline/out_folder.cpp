@@ -149,8 +149,8 @@ void tidy(const fs::path& out, const std::set<std::string>& needed, int exposure
       bool half =
           type.size() > 4 && type.starts_with(".tmp") && type.find_first_not_of("0123456789", 4) == type.npos;
       bool ours = folder != out && is_ours(name);
-      bool idle = folder != out && type == ".pov" && exposure_of(name) > exposures;
-      if (half || idle || (ours && !needed.contains(name))) fs::remove(path, error);
+      bool surplus = folder != out && type == ".pov" && exposure_of(name) > exposures;
+      if (half || surplus || (ours && !needed.contains(name))) fs::remove(path, error);
     }
 }
 

@@ -52,7 +52,7 @@ Written write_frames(const FilmFolder& film, const Scene& scene, CopyPlan plan, 
   }
   if (Errors lost = write_light(scene, parts, folder); !lost.empty()) return {0, lost, {}, {}};
   if (!parts.light.empty()) beside.insert(parts.light);
-  int each = exposures(scene.film, scene.stage.camera), count = drawn_range(film).count() * each;
+  int each = exposures(scene.film, scene.setup.camera), count = drawn_range(film).count() * each;
   events.begin("frames", static_cast<std::size_t>(count));
   std::atomic<int> next = 0;
   std::vector<Errors> errors(static_cast<std::size_t>(count));
@@ -94,8 +94,8 @@ Errors write_jobs(const FilmFolder& film, const std::vector<std::size_t>& nodes,
     jobs.window = ResolveOptions{}.window;
     jobs.resolve = film.resolve;
   }
-  jobs.lens = preset.stage.camera.aperture.has_value();
-  jobs.exposures = exposures(shot, preset.stage.camera);
+  jobs.lens = preset.setup.camera.aperture.has_value();
+  jobs.exposures = exposures(shot, preset.setup.camera);
   jobs.fps = shot.fps;
   jobs.still = shot.frames == 1;
   jobs.transparent = shot.transparent();
@@ -217,7 +217,7 @@ Errors write_scene(const FilmFolder& film, const Scene& scene, const std::string
   if (Errors errors = write_jobs(film, written.nodes, render_seconds, false); !errors.empty()) return errors;
   if (Errors errors = remove_unusable(film, events); !errors.empty()) return errors;
   needed.merge(written.beside);
-  if (in_use.by_us_alone()) tidy(film.out, needed, exposures(film.preset.film, film.preset.stage.camera));
+  if (in_use.by_us_alone()) tidy(film.out, needed, exposures(film.preset.film, film.preset.setup.camera));
   events.report(fmt::format("{}: {} frames, {} of them changed", film.out.string(), drawn_range(film).count(),
                             written.frames));
   return {};

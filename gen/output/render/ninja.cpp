@@ -75,11 +75,11 @@ void Ninja::follow(int pipe, End& end, const NinjaEvents& events) {
     if (got <= 0) break;
     begun.append(buffer.data(), static_cast<std::size_t>(got));
     for (std::size_t at; (at = begun.find('\n')) != begun.npos;) {
-      take(begun.substr(0, at), end, events);
+      read_line(begun.substr(0, at), end, events);
       begun.erase(0, at + 1);
     }
   }
-  if (!begun.empty()) take(begun, end, events);
+  if (!begun.empty()) read_line(begun, end, events);
   tell_pending(events);
 }
 
@@ -89,7 +89,7 @@ void Ninja::tell_pending(const NinjaEvents& events) {
   events.done(pending_);
 }
 
-void Ninja::take(const std::string& line, End& end, const NinjaEvents& events) {
+void Ninja::read_line(const std::string& line, End& end, const NinjaEvents& events) {
   constexpr std::string_view kFailed = "FAILED: ";
   if (skip_) {
     skip_ = false;

@@ -46,7 +46,7 @@ class Ninja {
 
  private:
   /// Takes a line that ninja has printed.
-  void take(const std::string& line, End& end, const NinjaEvents& events);
+  void read_line(const std::string& line, End& end, const NinjaEvents& events);
   void tell_pending(const NinjaEvents& events);
   void follow(int pipe, End& end, const NinjaEvents& events);
 

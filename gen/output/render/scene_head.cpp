@@ -8,14 +8,14 @@ namespace frond {
 namespace {
 
 /// Takes a word off the front of a text; false where something else stands there.
-bool take(std::string_view& text, std::string_view word) {
+bool consume(std::string_view& text, std::string_view word) {
   if (!text.starts_with(word)) return false;
   text.remove_prefix(word.size());
   return true;
 }
 
 template <class Number>
-bool take_number(std::string_view& text, Number& number) {
+bool consume_number(std::string_view& text, Number& number) {
   auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc{}) return false;
   text.remove_prefix(static_cast<std::size_t>(end - text.data()));
@@ -45,7 +45,7 @@ void read_crop(std::string_view line, SceneHead& head) {
   std::string_view rest = line.substr(at + kWhich.size());
   constexpr std::string_view kBetween[] = {",", ",", "x", ")"};
   for (std::size_t i = 0; i < crop.size(); ++i)
-    if (!take_number(rest, crop[i]) || !take(rest, kBetween[i])) return;
+    if (!consume_number(rest, crop[i]) || !consume(rest, kBetween[i])) return;
   head.crop = crop;
   std::string_view words = line.substr(flags, at - flags);
   while (!words.empty()) {
@@ -70,15 +70,15 @@ SceneHead read_scene_head(std::string_view scene) {
   std::string_view rest = line.substr(at + kFine.size());
   SceneHead fine = head;
   fine.fine = true;
-  if (take(rest, "; exposure 1 of ") && !take_number(rest, fine.exposures)) return head;
+  if (consume(rest, "; exposure 1 of ") && !consume_number(rest, fine.exposures)) return head;
   if ((rest.empty() && fine.exposures == 1) || rest == "; then frond resolve") {
     fine.raw = true;
     return fine;
   }
   // A later exposure names no tone: it is no picture by itself.
-  if (take(rest, "; then frond develop --highlights ") && take_number(rest, fine.tone.highlights) &&
-      take(rest, " --contrast ") && take_number(rest, fine.tone.contrast)) {
-    if (take(rest, " --depth 16")) fine.depth = 16;
+  if (consume(rest, "; then frond develop --highlights ") && consume_number(rest, fine.tone.highlights) &&
+      consume(rest, " --contrast ") && consume_number(rest, fine.tone.contrast)) {
+    if (consume(rest, " --depth 16")) fine.depth = 16;
     if (rest.empty()) return fine;
   }
   return head;

@@ -164,7 +164,7 @@ class FarParts {
     s.triangle.push_back(triangle);
   }
 
-  std::vector<FarPart> take() && {
+  std::vector<FarPart> finish() && {
     std::erase_if(parts_, [](const FarPart& part) { return part.surface.triangle.empty(); });
     return std::move(parts_);
   }
@@ -216,7 +216,7 @@ std::vector<FarPart> far_mesh(const FarLand& land, const FarView& view, Seed see
       parts.add(all, a, {d, b, c});
     }
   }
-  return std::move(parts).take();
+  return std::move(parts).finish();
 }
 
 }  // namespace frond

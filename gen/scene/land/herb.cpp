@@ -33,17 +33,17 @@ struct Corners {
 };
 
 /// The axes of what stands at the end of a stalk: up, and two level with it.
-struct Stand {
+struct StalkAxes {
   Vec3 up, x, y;
 };
 
-Stand stand_on(const BladeOfGrass& b, float lean) {
+StalkAxes axes_at_end(const BladeOfGrass& b, float lean) {
   Vec3 up = glm::normalize(kUp + b.toward * lean);
   Vec3 x = glm::normalize(glm::cross(up, b.across));
   return {up, x, glm::cross(up, x)};
 }
 
-Vec3 round_about(const Stand& s, double angle) {
+Vec3 round_about(const StalkAxes& s, double angle) {
   return s.x * static_cast<float>(std::cos(angle)) + s.y * static_cast<float>(std::sin(angle));
 }
 
@@ -69,18 +69,18 @@ void add_blade(Surface& s, const BladeOfGrass& b) {
 void add_trefoil(Surface& s, const BladeOfGrass& stalk, float length, HerbPart kind) {
   // Half a leaflet, from its foot round to its notched end, and how far along it each corner is.
   constexpr Vec2 kRim[] = {{0.42f, 0.33f}, {0.88f, 0.30f}};
-  Stand stand = stand_on(stalk, 0.15f + 0.3f * stalk.own);
+  StalkAxes axes = axes_at_end(stalk, 0.15f + 0.3f * stalk.own);
   Vec3 foot = stalk.along(1);
   for (int leaflet = 0; leaflet < 3; ++leaflet) {
     Corners corners{s, coded(kind, stalk.own)};
-    Vec3 out = round_about(stand, 2 * kPi * leaflet / 3 + 6 * stalk.own);
-    Vec3 aside = glm::cross(stand.up, out), rise = stand.up * (0.28f - 0.35f * stalk.own);
+    Vec3 out = round_about(axes, 2 * kPi * leaflet / 3 + 6 * stalk.own);
+    Vec3 aside = glm::cross(axes.up, out), rise = axes.up * (0.28f - 0.35f * stalk.own);
     auto add = [&](float along, float across) {
       // Folded along its midrib, and hanging at its end.
       Vec3 at = foot + (out * along + aside * across + rise * along +
-                        stand.up * (0.35f * std::abs(across) - 0.22f * along * along)) *
+                        axes.up * (0.35f * std::abs(across) - 0.22f * along * along)) *
                            length;
-      corners.add(at, glm::normalize(stand.up + out * 0.25f - aside * (0.9f * across)),
+      corners.add(at, glm::normalize(axes.up + out * 0.25f - aside * (0.9f * across)),
                   along + 0.55f * std::abs(across));
     };
     add(0, 0), add(0.55f, 0), add(0.93f, 0);
@@ -119,16 +119,16 @@ void add_rosette_leaf(Surface& s, const BladeOfGrass& b, float rise) {
 void add_head(Surface& s, const BladeOfGrass& stalk, float radius, Bloom kind) {
   Corners corners{s, coded(kind, stalk.own)};
   bool cup = kind == Bloom::buttercup;
-  Stand stand = stand_on(stalk, 0.3f + 0.5f * stalk.own);
+  StalkAxes axes = axes_at_end(stalk, 0.3f + 0.5f * stalk.own);
   std::uint32_t rim = cup ? 15 : 39;
   Vec3 centre = stalk.along(1);
-  corners.add(centre, stand.up, 0);
+  corners.add(centre, axes.up, 0);
   for (std::uint32_t i = 0; i < rim; ++i) {
     // Five broad petals, or thirteen blunt rays.
     float r = radius * (i % 3 ? 1.0f : 0.62f);
-    Vec3 out = round_about(stand, 2 * kPi * i / rim);
-    corners.add(centre + out * r + stand.up * (r * (cup ? 0.55f : 0.12f)),
-                glm::normalize(stand.up - out * (cup ? 0.4f : 0.0f)), 1);
+    Vec3 out = round_about(axes, 2 * kPi * i / rim);
+    corners.add(centre + out * r + axes.up * (r * (cup ? 0.55f : 0.12f)),
+                glm::normalize(axes.up - out * (cup ? 0.4f : 0.0f)), 1);
   }
   for (std::uint32_t i = 0; i < rim; ++i) corners.join(0, 1 + i, 1 + (i + 1) % rim);
 }
@@ -136,15 +136,15 @@ void add_head(Surface& s, const BladeOfGrass& stalk, float radius, Bloom kind) {
 void add_clover_head(Surface& s, const BladeOfGrass& stalk, float radius) {
   // Rings of florets, each pointing outward from the ball and the lowest hanging.
   constexpr int kRings = 3, kFlorets = 9;
-  Stand stand = stand_on(stalk, 0.15f);
-  Vec3 centre = stalk.along(1) + stand.up * (0.4f * radius);
+  StalkAxes axes = axes_at_end(stalk, 0.15f);
+  Vec3 centre = stalk.along(1) + axes.up * (0.4f * radius);
   for (int ring = 0; ring < kRings; ++ring) {
     float lift = -0.45f + 0.62f * static_cast<float>(ring);
     for (int i = 0; i < kFlorets - 2 * ring; ++i) {
       Corners corners{s, coded(Bloom::clover, stalk.own)};
       double angle = 2 * kPi * (i + 0.5 * (ring % 2)) / (kFlorets - 2 * ring);
-      Vec3 out = glm::normalize(round_about(stand, angle) + stand.up * lift),
-           aside = glm::normalize(glm::cross(stand.up, out));
+      Vec3 out = glm::normalize(round_about(axes, angle) + axes.up * lift),
+           aside = glm::normalize(glm::cross(axes.up, out));
       Vec3 over = glm::cross(out, aside);
       corners.add(centre + out * (0.25f * radius), out, 0);
       corners.add(centre + out * (0.8f * radius) + aside * (0.36f * radius), out, 0.6f);

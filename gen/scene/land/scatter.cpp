@@ -45,7 +45,7 @@ void TakenSpots::quarter(std::size_t square, Vec2 middle) {
   square_[square].first = -1;
 }
 
-void TakenSpots::take(const Spot& spot) {
+void TakenSpots::add(const Spot& spot) {
   auto index = static_cast<std::int32_t>(spot_.size());
   spot_.push_back(spot);
   next_.push_back(-1);
@@ -95,7 +95,7 @@ std::vector<Spot> scatter(Vec2 centre, double inner, double outer, float radius,
                               static_cast<float>(distance * std::sin(angle)));
       if (!taken.free(at, radius)) continue;
       spots.push_back({at, radius, static_cast<std::uint32_t>(i)});
-      taken.take(spots.back());
+      taken.add(spots.back());
       missed = -1;
       break;
     }

@@ -19,7 +19,7 @@ struct Spot {
 /// matters.
 class TakenSpots {
  public:
-  void take(const Spot& spot);
+  void add(const Spot& spot);
   /// Whether no spot is nearer to that place than the sum of the radii.
   bool free(Vec2 at, float radius) const { return square_.empty() || !touched(0, at, radius); }
   const std::vector<Spot>& list() const { return spot_; }

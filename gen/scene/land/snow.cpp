@@ -59,7 +59,7 @@ bool CoverGrid::find(Vec2 at, std::size_t& index) const {
   return true;
 }
 
-void CoverGrid::take(const Surface& body) {
+void CoverGrid::add(const Surface& body) {
   auto add = [&](std::size_t cell, float low, float high) {
     bottom_[cell] = std::min(bottom_[cell], low), top_[cell] = std::max(top_[cell], high);
     highest_ = std::max(highest_, high);

@@ -29,7 +29,7 @@ class CoverGrid {
   /// The square about `center` (x, z), with its side and that of its cells; metres.
   CoverGrid(Vec2 center, float side, float cell);
 
-  void take(const Surface& body);
+  void add(const Surface& body);
 
   /// Share of the falling snow that comes to a place, 0..1: that of the directions which nothing blocks, from
   /// straight above to 60 degrees from there.

@@ -71,10 +71,10 @@ template <class Params>
 class BodyColony : public Described<Params, ColonyGrower> {
  public:
   GrowerTraits traits() const override { return this->colony({.tallest = this->params.height}); }
-  Dress dress() const override {
-    Dress dress;
-    dress.motion.growth = this->params.growth;
-    return dress;
+  Appearance appearance() const override {
+    Appearance appearance;
+    appearance.motion.growth = this->params.growth;
+    return appearance;
   }
   std::optional<Spread> spread() const override {
     return Spread{static_cast<float>(this->params.across / 2), static_cast<float>(this->params.height)};

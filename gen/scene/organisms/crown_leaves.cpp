@@ -2,13 +2,13 @@
 
 namespace frond {
 
-void put_leaves(Model& model, const std::vector<LeafSite>& sites, const TreeDress& dress, Vec3 size,
+void put_leaves(Model& model, const std::vector<LeafSite>& sites, const TreeAppearance& appearance, Vec3 size,
                 Seed seed) {
   if (sites.empty()) return;
-  const LeafLook& look = dress.leaves;
-  model.prototypes = leaf_prototypes(leaves_of(dress));
+  const LeafLook& look = appearance.leaves;
+  model.prototypes = leaf_prototypes(leaves_of(appearance));
   bool both = model.prototypes.size() > 1;
-  if (dress.season) add_blossom(model.prototypes, *dress.season);
+  if (appearance.season) add_blossom(model.prototypes, *appearance.season);
   Organs& o = model.organs;
   o.reserve(sites.size());
   for (std::size_t i = 0; i < sites.size(); ++i) {

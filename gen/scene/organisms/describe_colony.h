@@ -1,7 +1,7 @@
 #pragma once
 
 #include "accretion/accretion.h"
-#include "dress/describe.h"
+#include "appearance/describe.h"
 #include "organisms/colony.h"
 #include "organisms/tissue_look.h"
 #include "preset/describe.h"

@@ -1,6 +1,6 @@
 #include "organisms/describe_edits.h"
 
-#include "dress/describe.h"
+#include "appearance/describe.h"
 #include "preset/keys.h"
 #include "preset/reader.h"
 

@@ -30,7 +30,7 @@ Placement placement_of(const Organism& organism, const Planting& planting) {
 /// Round the bodies that come near to a model at its place, in its own space; empty where none does.
 Result<Detour> detour_near(const Model& model, const World& world, const Placement& p) {
   Bounds box;
-  for (Vec3 at : model.skeleton.position) box.take(p.foot + p.turn * (at * p.size), kNear);
+  for (Vec3 at : model.skeleton.position) box.extend(p.foot + p.turn * (at * p.size), kNear);
   Result<std::shared_ptr<const Obstacles>> bodies = world.obstacles();
   if (!bodies) return bodies.errors();
   if (!(*bodies)->near(box)) return Detour();
@@ -75,16 +75,16 @@ double reach_of(const Organism& organism) {
   return reach;
 }
 
-void put_on(Specimen& specimen, const Dress& dress, const World& world, Seed seed) {
-  specimen.look = dress.look;
-  specimen.brightness = 1 + dress.variation * seed.child("brightness").range(-1, 1);
-  specimen.motion = dress.motion;
+void apply_appearance(Specimen& specimen, const Appearance& appearance, const World& world, Seed seed) {
+  specimen.look = appearance.look;
+  specimen.brightness = 1 + appearance.variation * seed.child("brightness").range(-1, 1);
+  specimen.motion = appearance.motion;
   specimen.motion.film_length = world.film_length();
-  specimen.motion.growth.start += dress.motion.growth.stagger * seed.child("start").unit();
+  specimen.motion.growth.start += appearance.motion.growth.stagger * seed.child("start").unit();
   specimen.motion.wave.phase += seed.child("phase").range(-0.6, 0.6);
-  specimen.life.season = dress.season;
+  specimen.life.season = appearance.season;
   specimen.life.season_seed = seed.child("season");
-  if (dress.season) specimen.life.ground = world.ground();
+  if (appearance.season) specimen.life.ground = world.ground();
 }
 
 std::vector<Result<Specimen>> LoneGrower::grow(std::span<const Bed> beds, const World& world,
@@ -92,15 +92,15 @@ std::vector<Result<Specimen>> LoneGrower::grow(std::span<const Bed> beds, const 
   struct Task {
     const Bed& bed;
     const Planting& planting;
-    std::shared_ptr<const Dress> dress;  // one for all of the bed
+    std::shared_ptr<const Appearance> appearance;  // one for all of the bed
   };
   std::vector<Task> all;
   for (const Bed& bed : beds) {
-    auto dress = std::make_shared<const Dress>(bed.organism->grower->dress());
-    for (const Planting& planting : bed.plantings) all.push_back({bed, planting, dress});
+    auto appearance = std::make_shared<const Appearance>(bed.organism->grower->appearance());
+    for (const Planting& planting : bed.plantings) all.push_back({bed, planting, appearance});
   }
   auto grow_one = [&](const Task& task) -> Result<Specimen> {
-    const auto& [bed, planting, dress] = task;
+    const auto& [bed, planting, appearance] = task;
     const auto& grower = grower_of<LoneGrower>(*bed.organism);
     const Organism& organism = *bed.organism;
     Seed seed = planting.seed.child("grow");
@@ -120,7 +120,7 @@ std::vector<Result<Specimen>> LoneGrower::grow(std::span<const Bed> beds, const 
     transform(specimen.model, placement.foot, placement.turn, placement.size);
     if (specimen.model.solids.follow_ground && organism.place.raise == 0)
       follow_ground(specimen.model.solids, world, planting.foot.y);
-    put_on(specimen, *dress, world, planting.seed);
+    apply_appearance(specimen, *appearance, world, planting.seed);
     if (auto develop = grower.develop(specimen.motion, seed))
       specimen.life.develop = [develop = std::move(develop), placement](double time) {
         Result<Model> now = develop(time);

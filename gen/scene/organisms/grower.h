@@ -8,10 +8,10 @@
 #include <typeinfo>
 #include <vector>
 
+#include "appearance/appearance.h"
 #include "core/events.h"
 #include "core/result.h"
 #include "core/seed.h"
-#include "dress/dress.h"
 #include "grammar/forecast.h"
 #include "model/model.h"
 #include "preset/keys.h"
@@ -136,7 +136,7 @@ struct GrowerTraits {
 /// What shows only after reading everything; each `where` is a JSON pointer below the organism.
 struct Review {
   Errors faults = {};
-  Errors doubts = {};  ///< valid, but probably not intended; they count only where there are no faults
+  Errors warnings = {};  ///< valid, but probably not intended; they count only where there are no faults
 };
 
 /// A storm in a film.
@@ -160,7 +160,7 @@ class Grower {
   /// Predicted size; a derivation beyond its limits is an error with the figure and the step.
   virtual Result<SizeEstimate> estimate_size(Seed seed) const = 0;
   /// What it wears and how it moves.
-  virtual Dress dress() const = 0;
+  virtual Appearance appearance() const = 0;
   /// Grows all plantings of all beds, in their order. All beds are of this kind, the first belongs to this
   /// grower.
   virtual std::vector<Result<Specimen>> grow(std::span<const Bed> beds, const World& world,
@@ -276,14 +276,14 @@ std::shared_ptr<const Grower> fewer_steps(const Mine& grower, double share, int&
 class BodyBuilder : public LoneGrower {
  public:
   GrowerTraits traits() const override { return {}; }
-  Dress dress() const override { return {}; }
+  Appearance appearance() const override { return {}; }
 };
 
 /// The largest distance of one of them from the middle, metres.
 double reach_of(const Organism& organism);
 
 /// Sets the appearance of a specimen at its place, including individual variation.
-void put_on(Specimen& specimen, const Dress& dress, const World& world, Seed seed);
+void apply_appearance(Specimen& specimen, const Appearance& appearance, const World& world, Seed seed);
 
 /// How deep a model of a grower stands in the ground, metres.
 float depth_of(const Grower& grower, const Model& model);

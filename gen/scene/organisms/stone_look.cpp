@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dress/mask_drawing.h"
+#include "appearance/mask_drawing.h"
 
 namespace frond {
 
@@ -49,10 +49,10 @@ Errors check_stone(const StoneLook& look) {
   return {{"/stone/moss_map", "has no area; expected the two corners in the world that its picture covers"}};
 }
 
-Dress stone_dress(const StoneLook& look) {
-  Dress dress;
-  if (!look.moss_map.empty()) dress.look.pictures.push_back(mask_drawing(look.moss_map));
-  return dress;
+Appearance stone_appearance(const StoneLook& look) {
+  Appearance appearance;
+  if (!look.moss_map.empty()) appearance.look.pictures.push_back(mask_drawing(look.moss_map));
+  return appearance;
 }
 
 Error hollow_rock() { return {"", "these blobs have no inside; a lower level, or more and larger blobs?"}; }

@@ -2,10 +2,10 @@
 
 #include <optional>
 
+#include "appearance/appearance.h"
 #include "core/mask.h"
 #include "core/result.h"
 #include "core/seed.h"
-#include "dress/dress.h"
 #include "model/model.h"
 #include "rocks/rock.h"
 
@@ -27,7 +27,7 @@ struct StoneLook {
 /// The error for a map of moss without an area.
 Errors check_stone(const StoneLook& look);
 /// What an organism of such stone wears: the picture that scales its moss.
-Dress stone_dress(const StoneLook& look);
+Appearance stone_appearance(const StoneLook& look);
 
 /// The material of one stone.
 Material material_of(const StoneLook& look, Seed seed);

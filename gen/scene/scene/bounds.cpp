@@ -14,7 +14,7 @@ namespace frond {
 namespace {
 
 Extent extent_of(const Preset& preset) {
-  return settings()[preset.stage.setting].answers.extent(preset.stage);
+  return settings()[preset.setup.setting].answers.extent(preset.setup);
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ double reach_of(const Preset& preset) {
   double reach = 0;
   for (const Organism& o : preset.organisms)
     if (!o.sown) reach = std::max(reach, reach_of(o));
-  return std::max(reach, reach_of(preset.stage.camera));
+  return std::max(reach, reach_of(preset.setup.camera));
 }
 
 double reach_of(const Camera& camera) {

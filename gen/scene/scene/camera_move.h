@@ -1,6 +1,6 @@
 #pragma once
 
-#include "settings/stage.h"
+#include "settings/scene_setup.h"
 
 namespace frond {
 

@@ -227,7 +227,7 @@ Seed model_seed(const Organism& organism, int which) {
 }  // namespace
 
 std::optional<Seasons> copy_seasons(const Organism& organism, const Film& film) {
-  std::optional<Seasons> seasons = organism.grower->dress().season;
+  std::optional<Seasons> seasons = organism.grower->appearance().season;
   if (film.frames <= 1 || !seasons || seasons->at.constant()) return std::nullopt;
   if (seasons->evergreen && !seasons->blossom && !seasons->flowering) return std::nullopt;
   return seasons;
@@ -240,10 +240,10 @@ Organs copy_organs(const Organism& organism, int which, const Model& full, const
   return now;
 }
 
-Dress copy_dress(const Organism& organism) {
-  Dress dress = organism.grower->dress();
-  add_other_barks(dress.look.branches, edits_of(organism.edits, std::nullopt));
-  return dress;
+Appearance copy_appearance(const Organism& organism) {
+  Appearance appearance = organism.grower->appearance();
+  add_other_barks(appearance.look.branches, edits_of(organism.edits, std::nullopt));
+  return appearance;
 }
 
 Result<Model> grow_copy(const Organism& organism, int which, bool full_leaf) {
@@ -251,10 +251,10 @@ Result<Model> grow_copy(const Organism& organism, int which, bool full_leaf) {
   Result<Model> model = organism.grower->grow_copy(organism, seed);
   if (!model) return model;
   const std::vector<Edit> edits = edits_of(organism.edits, std::nullopt);
-  const Dress dress = organism.grower->dress();
-  color_barks(*model, edits, dress.look.branches.own_colors());
+  const Appearance appearance = organism.grower->appearance();
+  color_barks(*model, edits, appearance.look.branches.own_colors());
   edit_model(*model, edits);
-  if (dress.season && !full_leaf) in_season(*model, *dress.season, 0, seed.child("season"));
+  if (appearance.season && !full_leaf) in_season(*model, *appearance.season, 0, seed.child("season"));
   if (organism.sown->size) fit_to(*model, *organism.sown->size);
   float depth = depth_of(*organism.grower, *model);
   for (auto* places : {&model->skeleton.position, &model->organs.position, &model->blades.surface.position})
@@ -263,7 +263,7 @@ Result<Model> grow_copy(const Organism& organism, int which, bool full_leaf) {
 }
 
 std::optional<Growth> copy_growth(const Organism& organism, const Film& film, int which) {
-  Growth growth = organism.grower->dress().motion.growth;
+  Growth growth = organism.grower->appearance().motion.growth;
   if (film.frames <= 1 || growth.duration <= 0 || organism.grower->traits().develops(true))
     return std::nullopt;
   growth.start += growth.stagger * copy_seed(organism, which).child("start").unit();

@@ -36,12 +36,12 @@ class ModelBlocks {
   std::vector<glm::ivec3> cells_;  // in order
 };
 
-/// What a tint of a stand's copies does to a colour.
+/// What a tint of copies does to a colour.
 struct TintShift {
   double hue = 0;                    ///< radians that it turns about the axis of greys
   double saturation = 1, value = 1;  ///< factors
 };
-/// Tint `number`, of kTints: they are spread evenly over the range of a stand, so that all of it occurs.
+/// Tint `number`, of kTints: they are spread evenly over the range of a copy set, so that all of it occurs.
 TintShift tint_shift(const CopyTint& tint, int number);
 
 /// A part of a model that has one look.
@@ -58,7 +58,7 @@ struct CopyPart {
 };
 
 /// What copies of a sown organism wear, with the barks that edits give to branches of them.
-Dress copy_dress(const Organism& organism);
+Appearance copy_appearance(const Organism& organism);
 
 /// Grows model `which` of a sown organism, its foot at the origin. A tree with `crowd` grows up among six
 /// neighbours. Its leaves are in the season that the film begins in, or in full leaf. What it is made of

@@ -214,7 +214,7 @@ void describe(Properties& v, Rain& r) {
              "Height of the mist that rain leaves over the ground; 0 is none");
 }
 
-void describe(Properties& v, Stage& s) {
+void describe(Properties& v, SceneSetup& s) {
   std::vector<Choice<std::size_t>> names;
   for (const SettingRow& row : settings()) names.push_back({row.name, names.size(), row.doc});
   v.choice("setting", s.setting, names, "The surroundings, which bring their own light and ground");
@@ -260,7 +260,7 @@ void describe(Properties& v, Preset& p) {
       "Lists of colours by name: `palette:autumn/0` stands for the first one of autumn wherever a colour "
       "may, and `palette:autumn` for all of them in a list");
   v.object("film", p.film, "Length, size and quality of the film");
-  v.object("scene", p.stage, "Everything but the organisms: surroundings, light and camera");
+  v.object("scene", p.setup, "Everything but the organisms: surroundings, light and camera");
   v.list("events", p.events, Count{0, 1000},
          "What happens once in the lives of the trees of the kind tree: storms, fellings, prunings");
   v.object("plan", p.plan,

@@ -32,7 +32,7 @@ void describe(Properties& v, Floor& f);
 void describe(Properties& v, FarLandShape& f);
 void describe(Properties& v, Snow& s);
 void describe(Properties& v, Rain& r);
-void describe(Properties& v, Stage& s);
+void describe(Properties& v, SceneSetup& s);
 
 /// Their colours count where they stand.
 void describe_rest(KeyWriter&, Palettes&);

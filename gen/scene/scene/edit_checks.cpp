@@ -19,7 +19,7 @@ Errors edit_faults(const Organism& organism) {
                       (edit.bare ? 1 : 0) + edit.bark.has_value();
     if (given != 1)
       add("", fmt::format("has {} of cut, bend, strength, bare and bark; expected one of them", given));
-    if (edit.bark && !grower.dress().look.branches.plant())
+    if (edit.bark && !grower.appearance().look.branches.plant())
       add("/bark", "is of plants; expected an edit of a kind whose branches have bark");
     if (edit.dated() && !grower.perennial())
       add("/cut", "names a year; expected true, or the kind tree, which grows over years");
@@ -29,17 +29,17 @@ Errors edit_faults(const Organism& organism) {
   return errors;
 }
 
-Errors edit_doubts(const Organism& organism) {
-  Errors doubts;
+Errors edit_warnings(const Organism& organism) {
+  Errors warnings;
   for (std::size_t i = 0; i < organism.edits.size(); ++i) {
     const auto& plant = organism.edits[i].plant;
     if (plant && (organism.sown || *plant >= static_cast<std::size_t>(organism.count)))
-      doubts.push_back({fmt::format("/edits/{}/plant", i),
-                        organism.sown
-                            ? "does nothing: what is sown has copies only"
-                            : fmt::format("finds no plant: there are {}, counted from 0", organism.count)});
+      warnings.push_back({fmt::format("/edits/{}/plant", i),
+                          organism.sown
+                              ? "does nothing: what is sown has copies only"
+                              : fmt::format("finds no plant: there are {}, counted from 0", organism.count)});
   }
-  return doubts;
+  return warnings;
 }
 
 }  // namespace frond

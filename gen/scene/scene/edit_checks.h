@@ -9,6 +9,6 @@ namespace frond {
 Errors edit_faults(const Organism& organism);
 
 /// Edits of plants that there are not.
-Errors edit_doubts(const Organism& organism);
+Errors edit_warnings(const Organism& organism);
 
 }  // namespace frond

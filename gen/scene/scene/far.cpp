@@ -15,7 +15,7 @@ constexpr double kMargin = 0.06;  // radians beside what is in view
 constexpr double kPixels = 4e6;   // of a picture: a finer land would fill gigabytes
 
 /// The shortest range of directions that holds all: the complement of the widest gap between them.
-void take_range(FarView& view, std::vector<std::array<double, 2>> ranges) {
+void set_range(FarView& view, std::vector<std::array<double, 2>> ranges) {
   std::ranges::sort(ranges);
   double end = ranges[0][1], gap = 0, first = ranges[0][0];
   for (const auto& [from, to] : ranges) {
@@ -57,36 +57,36 @@ FarView far_view(const Film& film, const Camera& camera) {
     from -= 2 * kPi * std::floor(from / (2 * kPi));
     ranges.push_back({from, from + 2 * half});
   }
-  take_range(view, std::move(ranges));
+  set_range(view, std::move(ranges));
   return view;
 }
 
 std::optional<DistantTerrain> far_land_round(const Scene& scene, Seed seed) {
   GroundEdge edge = scene.ground->edge();
-  if (edge.radius <= 0 || (!scene.stage.far && !edge.country)) return std::nullopt;
-  FarLandShape shape = scene.stage.far.value_or(FarLandShape{});
+  if (edge.radius <= 0 || (!scene.setup.far && !edge.country)) return std::nullopt;
+  FarLandShape shape = scene.setup.far.value_or(FarLandShape{});
   if (shape.reach <= edge.radius) return std::nullopt;
-  shape.shaded = shaded_side(scene.stage);
-  return distant_terrain(shape, edge, far_view(scene.film, scene.stage.camera), seed);
+  shape.shaded = shaded_side(scene.setup);
+  return distant_terrain(shape, edge, far_view(scene.film, scene.setup.camera), seed);
 }
 
 namespace {
 
 /// The stand of a sown organism of that name, a new one where none of it is sown near.
-SownStand& stand_named(Scene& scene, const Preset& preset, const std::string& name) {
-  auto stand = std::ranges::find(scene.stands, name, [](const SownStand& s) { return s.organism.name; });
-  if (stand != scene.stands.end()) return *stand;
+CopySet& copy_set_named(Scene& scene, const Preset& preset, const std::string& name) {
+  auto set = std::ranges::find(scene.copy_sets, name, [](const CopySet& s) { return s.organism.name; });
+  if (set != scene.copy_sets.end()) return *set;
   auto entry =
       std::ranges::find_if(preset.organisms, [&](const Organism& o) { return o.sown && o.name == name; });
   auto number = static_cast<std::size_t>(entry - preset.organisms.begin());
-  return scene.stands.emplace_back(SownStand{number, *entry, copy_dress(*entry), {}, {}});
+  return scene.copy_sets.emplace_back(CopySet{number, *entry, copy_appearance(*entry), {}, {}});
 }
 
 }  // namespace
 
 void plant_far_trees(Scene& scene, const Preset& preset, DistantTerrain& far, Seed seed) {
-  if (!scene.stage.far || scene.stage.far->trees.empty()) return;
-  const std::vector<std::string>& names = scene.stage.far->trees;
+  if (!scene.setup.far || scene.setup.far->trees.empty()) return;
+  const std::vector<std::string>& names = scene.setup.far->trees;
   auto is_tree = [](const FarObject& o) {
     return o.kind == FarKind::broadleaf || o.kind == FarKind::conifer;
   };
@@ -95,10 +95,10 @@ void plant_far_trees(Scene& scene, const Preset& preset, DistantTerrain& far, Se
     if (!is_tree(tree)) continue;
     Seed own = seed.child("tree", i);
     bool first = tree.kind == FarKind::conifer || names.size() == 1;
-    SownStand& stand =
-        stand_named(scene, preset, names[first ? 0 : 1 + own.child("kind").bits() % (names.size() - 1)]);
-    auto models = static_cast<std::uint64_t>(stand.organism.sown->models);
-    Copies& copies = stand.copies;
+    CopySet& set =
+        copy_set_named(scene, preset, names[first ? 0 : 1 + own.child("kind").bits() % (names.size() - 1)]);
+    auto models = static_cast<std::uint64_t>(set.organism.sown->models);
+    Copies& copies = set.copies;
     copies.model.push_back(static_cast<std::uint16_t>(own.child("model").bits() % models));
     copies.foot.push_back(tree.foot);
     copies.turn.push_back(glm::angleAxis(tree.turn, Vec3(0, 1, 0)));

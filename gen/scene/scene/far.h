@@ -11,7 +11,7 @@ namespace frond {
 std::optional<DistantTerrain> far_land_round(const Scene& scene, Seed seed);
 
 /// Makes copies of the organisms that `scene.far.trees` names of the trees of the far land: they go over into
-/// `scene.stands`, whose models are drawn as coarsely as they are small.
+/// `scene.copy_sets`, whose models are drawn as coarsely as they are small.
 void plant_far_trees(Scene& scene, const Preset& preset, DistantTerrain& far, Seed seed);
 
 /// What all cameras of a film have in view.

@@ -148,14 +148,13 @@ std::vector<Vec3> outside_of(const Scene& scene, const std::vector<std::string>&
   Outside outside;
   for (const Specimen& s : scene.specimens)
     if (s.entry != Traits::kNoEntry && (all || wanted.contains(s.name))) add(outside, s.model);
-  for (const SownStand& stand : scene.stands) {
-    if (!all && !wanted.contains(stand.organism.name)) continue;
-    for (std::size_t i = 0; i < stand.copies.size(); ++i) {
-      float scale = stand.copies.scale[i],
-            wide = scale * static_cast<float>(stand.organism.sown->where.radius),
-            tall = scale * static_cast<float>(stand.tallest());
-      outside.add(stand.copies.foot[i]);
-      outside.add(stand.copies.foot[i] + Vec3(0, std::max(tall - wide, 0.0f), 0), wide);
+  for (const CopySet& set : scene.copy_sets) {
+    if (!all && !wanted.contains(set.organism.name)) continue;
+    for (std::size_t i = 0; i < set.copies.size(); ++i) {
+      float scale = set.copies.scale[i], wide = scale * static_cast<float>(set.organism.sown->where.radius),
+            tall = scale * static_cast<float>(set.tallest());
+      outside.add(set.copies.foot[i]);
+      outside.add(set.copies.foot[i] + Vec3(0, std::max(tall - wide, 0.0f), 0), wide);
     }
   }
   return outside.points();

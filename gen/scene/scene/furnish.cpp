@@ -56,14 +56,14 @@ void place_in(Organism& organism, const std::vector<PlanSite>& sites, TakenSpots
   auto room = static_cast<float>(kept_free(organism));
   std::vector<Stance> each = std::exchange(organism.place.each, {});
   each.resize(given.size());
-  auto stand = [&](const PlanSite& site, Vec2 at, const Stance& own = {}) {
+  auto place = [&](const PlanSite& site, Vec2 at, const Stance& own = {}) {
     organism.place.at.push_back(at);
     organism.place.each.push_back({site.turn + own.turn, own.size});
-    taken.take({at, room});
+    taken.add({at, room});
   };
   for (std::size_t i = 0; i < sites.size(); ++i) {
     const PlanSite& site = sites[i];
-    for (std::size_t k = 0; k < given.size(); ++k) stand(site, point_in(site, given[k]), each[k]);
+    for (std::size_t k = 0; k < given.size(); ++k) place(site, point_in(site, given[k]), each[k]);
     Vec2 half = glm::max(0.5f * site.size - room, Vec2(0));
     int left = organism.count - static_cast<int>(given.size()), fruitless = 0;
     for (std::uint64_t dart = 0; left > 0 && fruitless < kMostFruitless; ++dart) {
@@ -71,7 +71,7 @@ void place_in(Organism& organism, const std::vector<PlanSite>& sites, TakenSpots
       Vec2 at = point_in(site, half * Vec2(own.child(0).range(-1, 1), own.child(1).range(-1, 1)));
       bool free = taken.free(at, room);
       fruitless = free ? 0 : fruitless + 1;
-      if (free) stand(site, at), --left;
+      if (free) place(site, at), --left;
     }
   }
 }
@@ -95,7 +95,7 @@ void place_along(Organism& organism, const std::vector<PlanSite>& lines, TakenSp
     for (int i = 0; i < count; ++i) {
       place.at.push_back(point_in(line, Vec2(length * ((i + 0.5) / count - 0.5), 0)));
       place.each.push_back({line.turn});
-      taken.take({place.at.back(), static_cast<float>(room)});
+      taken.add({place.at.back(), static_cast<float>(room)});
     }
   }
 }
@@ -131,7 +131,7 @@ Result<GroundPlan> plan_of(const PlanText& text) {
   return plan;
 }
 
-Errors furnish(Preset& preset, double reach, Faults& doubtful) {
+Errors furnish(Preset& preset, double reach, Faults& warnings) {
   Errors errors;
   for (std::size_t i = 0; i < preset.organisms.size(); ++i)
     if (const Place& place = preset.organisms[i].place; !place.in.empty() || !place.along.empty())
@@ -146,8 +146,8 @@ Errors furnish(Preset& preset, double reach, Faults& doubtful) {
     for (const Error& error : plan.errors()) errors.push_back(error);
   if (!errors.empty()) return errors;
   for (const Error& note : below("/plan", pointed(text.grammar, compile_plan(text)->warnings)))
-    doubtful.add({origin_at(*preset.written, note.where), note.where, note.what});
-  std::ranges::move(areas_of(text, *plan), std::back_inserter(preset.stage.block<Garden>().areas));
+    warnings.add({origin_at(*preset.written, note.where), note.where, note.what});
+  std::ranges::move(areas_of(text, *plan), std::back_inserter(preset.setup.block<Garden>().areas));
   TakenSpots taken;
   std::vector<Seed> seeds = entry_seeds(preset, "plan");
   for (std::size_t i = 0; i < preset.organisms.size(); ++i) {

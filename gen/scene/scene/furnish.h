@@ -10,7 +10,7 @@ Result<GroundPlan> plan_of(const PlanText& text);
 
 /// Does what a preset's plan asks for: its ways and rooms become areas of the garden, and what stands in its
 /// sites or along them (`place.in`, `place.along`) gets its places there. Errors are at pointers into the
-/// preset, whose land reaches `reach` metres from the middle; what is only doubtful is added to `doubtful`.
-Errors furnish(Preset& preset, double reach, Faults& doubtful);
+/// preset, whose land reaches `reach` metres from the middle; warnings are added to `warnings`.
+Errors furnish(Preset& preset, double reach, Faults& warnings);
 
 }  // namespace frond

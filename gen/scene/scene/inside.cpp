@@ -91,7 +91,7 @@ double winding_number(const Surface& surface, Vec3 place) {
 }
 
 std::string inside_something(const Scene& scene) {
-  const std::vector<Glance> glances = glances_of(scene.stage.camera, scene.film);
+  const std::vector<Glance> glances = glances_of(scene.setup.camera, scene.film);
   auto said = [&](const std::string& what, const Glance& glance) {
     std::string when = glances.size() > 1 ? fmt::format(", first at {:.3g} s", glance.time) : "";
     return fmt::format("lies inside of {}{}: nothing else is seen from there", what, when);

@@ -22,7 +22,7 @@ const std::map<std::string, Topic>& topics_by_path() {
 }
 
 /// What stands in front of `end`, which is taken off the text with it.
-std::string_view take_until(std::string_view& text, std::string_view end) {
+std::string_view consume_until(std::string_view& text, std::string_view end) {
   std::size_t at = std::min(text.find(end), text.size());
   std::string_view taken = text.substr(0, at);
   text.remove_prefix(std::min(at + end.size(), text.size()));
@@ -46,7 +46,7 @@ bool is_met(const Need& need, const Value& object, const std::string& path) {
   std::erase(value, '"');
   if (need.of == Need::Of::other) return value != need.value;
   for (std::string_view any = need.value; !any.empty();)
-    if (take_until(any, "\" or \"") == value) return true;
+    if (consume_until(any, "\" or \"") == value) return true;
   return false;
 }
 
@@ -91,15 +91,15 @@ std::optional<Need> need_of(std::string_view sentence) {
   need.words = rest;
   if (rest.starts_with('"')) {
     rest.remove_prefix(1);
-    need.name = take_until(rest, "\": ");
-    rest = take_until(rest, ",");
+    need.name = consume_until(rest, "\": ");
+    rest = consume_until(rest, ",");
     if (rest.starts_with('"')) rest = rest.substr(1, rest.rfind('"') - 1);
     need.value = rest;
     need.words = need.words.substr(0, need.words.find(','));
     return need;
   }
   if (rest.starts_with("a ")) rest.remove_prefix(2);
-  need.name = take_until(rest, " ");
+  need.name = consume_until(rest, " ");
   if (rest == "above 0") {
     need.of = Need::Of::above_0;
     return need;

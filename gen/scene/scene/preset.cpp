@@ -18,8 +18,8 @@
 #include "scene/describe.h"
 #include "scene/edit_checks.h"
 #include "scene/furnish.h"
-#include "scene/idle.h"
 #include "scene/named_preset.h"
+#include "scene/unused_properties.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -32,7 +32,7 @@ Fault organism_fault(const Value& organism, std::size_t index, std::string_view 
 
 /// Finds what is wrong with an organism as a whole and with where it stands: within `reach` metres.
 void check_organism(const Organism& organism, const Value& written, std::size_t index, double reach,
-                    Faults& faults, Faults& doubtful) {
+                    Faults& faults, Faults& warnings) {
   for (std::size_t i = 0; i < organism.place.at.size(); ++i)
     if (glm::length(organism.place.at[i]) > reach)
       faults.add(organism_fault(
@@ -48,9 +48,9 @@ void check_organism(const Organism& organism, const Value& written, std::size_t 
   };
   const Review review = organism.grower->review();
   add(faults, review.faults);
-  if (review.faults.empty()) add(doubtful, review.doubts);
+  if (review.faults.empty()) add(warnings, review.warnings);
   add(faults, edit_faults(organism));
-  add(doubtful, edit_doubts(organism));
+  add(warnings, edit_warnings(organism));
 }
 
 /// Why ivy cannot grow on what it names.
@@ -67,15 +67,15 @@ void check_hosts(const Preset& preset, Faults& faults) {
     if (!organism.name.empty() && !organism.sown && !organism.grower->traits().creeps())
       names.push_back(organism.name);
   for (std::size_t i = 0; i < preset.organisms.size(); ++i) {
-    auto check = [&](std::string_view pointer, const std::vector<std::string>& hosts) {
+    auto require_all = [&](std::string_view pointer, const std::vector<std::string>& hosts) {
       for (std::size_t k = 0; k < hosts.size(); ++k)
         if (std::ranges::find(names, hosts[k]) == names.end())
           faults.add(organism_fault(preset.written->find("organisms")->items[i], i,
                                     fmt::format("{}/{}", pointer, k), host_fault(hosts[k], names)));
     };
     const Organism& organism = preset.organisms[i];
-    if (const std::vector<std::string>* hosts = organism.grower->traits().hosts) check("/on", *hosts);
-    if (organism.grower->traits().stands_on_bodies()) check("/place/on", organism.place.on);
+    if (const std::vector<std::string>* hosts = organism.grower->traits().hosts) require_all("/on", *hosts);
+    if (organism.grower->traits().stands_on_bodies()) require_all("/place/on", organism.place.on);
   }
 }
 
@@ -84,7 +84,7 @@ void check_named(const Preset& preset, const Value& root, Faults& faults) {
   std::vector<std::string_view> names;
   for (const Organism& organism : preset.organisms)
     if (!organism.name.empty()) names.push_back(organism.name);
-  auto check = [&](const std::string& name, const std::string& pointer, std::string_view to) {
+  auto require_one = [&](const std::string& name, const std::string& pointer, std::string_view to) {
     if (std::ranges::find(names, name) != names.end()) return;
     std::string what = fmt::format("no organism \"{}\" to {}", name, to);
     what +=
@@ -94,15 +94,15 @@ void check_named(const Preset& preset, const Value& root, Faults& faults) {
   for (std::size_t i = 0; i < preset.events.size(); ++i) {
     const Event& event = preset.events[i];
     if (event.cut && !event.cut->entry.empty())
-      check(event.cut->entry, fmt::format("/events/{}/cut/entry", i), "fell");
+      require_one(event.cut->entry, fmt::format("/events/{}/cut/entry", i), "fell");
     if (event.prune && !event.prune->entry.empty())
-      check(event.prune->entry, fmt::format("/events/{}/prune/entry", i), "prune");
+      require_one(event.prune->entry, fmt::format("/events/{}/prune/entry", i), "prune");
   }
-  const std::optional<Focus>& focus = preset.stage.camera.focus;
-  if (focus && !focus->organism.empty()) check(focus->organism, "/scene/camera/focus", "focus on");
+  const std::optional<Focus>& focus = preset.setup.camera.focus;
+  if (focus && !focus->organism.empty()) require_one(focus->organism, "/scene/camera/focus", "focus on");
   names.insert(names.begin(), kFitAll);
-  for (std::size_t i = 0; i < preset.stage.camera.fit.size(); ++i)
-    check(preset.stage.camera.fit[i], fmt::format("/scene/camera/fit/{}", i), "fit");
+  for (std::size_t i = 0; i < preset.setup.camera.fit.size(); ++i)
+    require_one(preset.setup.camera.fit[i], fmt::format("/scene/camera/fit/{}", i), "fit");
 }
 
 /// An organism that trees are to be drawn as and that is not there, or is not sown.
@@ -129,7 +129,7 @@ void check_stand(const Preset& preset, Faults& faults) {
 
 /// The trees of the far land, and climates in which nothing would end.
 void check_altitudes(const Preset& preset, Faults& faults) {
-  if (const auto& far = preset.stage.far)
+  if (const auto& far = preset.setup.far)
     for (std::size_t i = 0; i < far->trees.size(); ++i)
       check_drawn_as(preset, far->trees[i], fmt::format("/scene/far/trees/{}", i), faults);
   for (std::size_t i = 0; i < preset.organisms.size(); ++i) {
@@ -144,7 +144,7 @@ void check_altitudes(const Preset& preset, Faults& faults) {
 
 /// What would be too much of something.
 void check_bounds(const Preset& preset, Faults& faults) {
-  Errors errors = settings()[preset.stage.setting].answers.check(preset.stage, preset.film);
+  Errors errors = settings()[preset.setup.setting].answers.find_faults(preset.setup, preset.film);
   for (Error& error : errors) error.where.insert(0, "/scene");
   for (auto found : {too_much_together, without_room})
     for (Error& error : found(preset)) errors.push_back(std::move(error));
@@ -153,15 +153,15 @@ void check_bounds(const Preset& preset, Faults& faults) {
 }
 
 /// What no picture can be made of although each value is one that may be.
-void check_stage(const Stage& stage, const Value& root, Faults& faults) {
+void check_setup(const SceneSetup& setup, const Value& root, Faults& faults) {
   auto fault = [&](const char* pointer, const char* what) {
     faults.add({origin_at(root, pointer), pointer, what});
   };
   std::vector<double> times;
-  for (const auto& key : stage.camera.location.keys()) times.push_back(key.time);
-  for (const auto& key : stage.camera.look_at.keys()) times.push_back(key.time);
+  for (const auto& key : setup.camera.location.keys()) times.push_back(key.time);
+  for (const auto& key : setup.camera.look_at.keys()) times.push_back(key.time);
   for (double time : times)
-    if (glm::distance(stage.camera.location.at(time), stage.camera.look_at.at(time)) < 1e-4f)
+    if (glm::distance(setup.camera.location.at(time), setup.camera.look_at.at(time)) < 1e-4f)
       return fault("/scene/camera/look_at", "is where the camera stands; expected another place to look at");
 }
 
@@ -250,31 +250,31 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   pass_on_year(document->root);
   end_growth_with_film(document->root);
 
-  Faults faults, doubtful;
-  Result<Preset> preset = read_preset<Preset>(*document, &doubtful, &assets);
+  Faults faults, warnings;
+  Result<Preset> preset = read_preset<Preset>(*document, &warnings, &assets);
   if (!preset) return preset;
-  preset->stage.camera = keyed_move(preset->stage.camera, preset->film);
+  preset->setup.camera = keyed_move(preset->setup.camera, preset->film);
   for (Event& event : preset->events)
     if (event.cut) event.cut->by_own = preset->version >= 2;
   preset->text = serialize(document->root);
   preset->files = std::move(read);
   preset->written = std::make_shared<const Value>(with_defaults(document->root));
-  double reach = settings()[preset->stage.setting].answers.extent(preset->stage).reach;
-  for (Error& error : furnish(*preset, reach, doubtful))
+  double reach = settings()[preset->setup.setting].answers.extent(preset->setup).reach;
+  for (Error& error : furnish(*preset, reach, warnings))
     faults.add({origin_at(*preset->written, error.where), error.where, std::move(error.what)});
   if (preset->stand) check_stand(*preset, faults);
   check_altitudes(*preset, faults);
   for (std::size_t i = 0; i < preset->organisms.size(); ++i) {
     const Value& written = preset->written->find("organisms")->items[i];
-    check_organism(preset->organisms[i], written, i, reach, faults, doubtful);
+    check_organism(preset->organisms[i], written, i, reach, faults, warnings);
   }
   check_hosts(*preset, faults);
   check_bounds(*preset, faults);
-  check_stage(preset->stage, document->root, faults);
+  check_setup(preset->setup, document->root, faults);
   check_named(*preset, document->root, faults);
   if (!faults.list().empty()) return faults.errors();
-  preset->notes = doubtful.errors();
-  for (Error& idle : idle_settings(*preset, file_name)) preset->notes.push_back(std::move(idle));
+  preset->notes = warnings.errors();
+  for (Error& unused : unused_properties(*preset, file_name)) preset->notes.push_back(std::move(unused));
   return preset;
 }
 

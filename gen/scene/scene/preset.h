@@ -14,7 +14,7 @@
 #include "organisms/organism.h"
 #include "plan/plan.h"
 #include "preset/palettes.h"
-#include "settings/stage.h"
+#include "settings/scene_setup.h"
 
 namespace frond {
 
@@ -30,7 +30,7 @@ struct Preset {
   std::uint64_t seed = 1;
   Palettes palettes;
   Film film;
-  Stage stage;
+  SceneSetup setup;
   std::vector<Event> events;  ///< in the lives of its trees
   std::optional<PlanText> plan;
   std::optional<StandText> stand;

@@ -37,9 +37,9 @@ Model water_model(const GroundGrid& grid, const std::vector<float>& full, double
 }  // namespace
 
 std::optional<Specimen> standing_water(const Scene& scene, const Grounds& ground) {
-  if (!is_rainy(scene.stage)) return {};
-  const Animated<double>& fallen = scene.stage.rain->fallen;
-  GroundGrid grid = grid_of(ground, seen_ground(scene.stage.camera, scene.film.length()).first);
+  if (!is_rainy(scene.setup)) return {};
+  const Animated<double>& fallen = scene.setup.rain->fallen;
+  GroundGrid grid = grid_of(ground, seen_ground(scene.setup.camera, scene.film.length()).first);
   std::vector<float> full = priority_flood(grid).level;
   Specimen water;
   water.name = "puddles";

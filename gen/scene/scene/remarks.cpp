@@ -22,12 +22,12 @@ std::vector<Occupied> boxes_of(const Scene& scene) {
     Bounds box = bounds_of(s.model);
     boxes.push_back({name_of(s.name, s.entry), box.low, box.high});
   }
-  for (const SownStand& stand : scene.stands)
-    for (std::size_t i = 0; i < stand.copies.size(); ++i) {
+  for (const CopySet& set : scene.copy_sets)
+    for (std::size_t i = 0; i < set.copies.size(); ++i) {
       // A crown about its foot; how high it is only its model knows.
-      auto reach = static_cast<float>(stand.organism.sown->where.radius) * stand.copies.scale[i];
-      Vec3 foot = stand.copies.foot[i];
-      boxes.push_back({name_of(stand.organism.name, stand.entry), foot - Vec3(reach, 0, reach),
+      auto reach = static_cast<float>(set.organism.sown->where.radius) * set.copies.scale[i];
+      Vec3 foot = set.copies.foot[i];
+      boxes.push_back({name_of(set.organism.name, set.entry), foot - Vec3(reach, 0, reach),
                        foot + Vec3(reach, 0, reach)});
     }
   return boxes;
@@ -35,7 +35,7 @@ std::vector<Occupied> boxes_of(const Scene& scene) {
 
 /// Whether anything that grows or stands is in the picture at a time.
 bool seen(const Scene& scene, double time) {
-  Lens lens = lens_at(scene.stage.camera, time, scene.film.aspect());
+  Lens lens = lens_at(scene.setup.camera, time, scene.film.aspect());
   auto in_picture = [&](Vec3 p) {
     Vec3 at = lens.seen(p);
     return at.z > 0 && std::abs(at.x) <= 1 && std::abs(at.y) <= 1;
@@ -48,13 +48,13 @@ bool seen(const Scene& scene, double time) {
       for (const Vec3& p : m.solids.shapes[m.solids.shape[i]].surface.position)
         if (in_picture(m.solids.placed(i, p))) return true;
   }
-  for (const SownStand& stand : scene.stands)
-    for (std::size_t i = 0; i < stand.copies.size(); ++i) {
-      auto tall = static_cast<float>(stand.tallest()) * stand.copies.scale[i];
+  for (const CopySet& set : scene.copy_sets)
+    for (std::size_t i = 0; i < set.copies.size(); ++i) {
+      auto tall = static_cast<float>(set.tallest()) * set.copies.scale[i];
       for (float part : {0.0f, 0.25f, 0.5f, 0.75f})
-        if (in_picture(stand.copies.foot[i] + Vec3(0, part * tall, 0))) return true;
+        if (in_picture(set.copies.foot[i] + Vec3(0, part * tall, 0))) return true;
     }
-  return scene.specimens.empty() && scene.stands.empty();
+  return scene.specimens.empty() && scene.copy_sets.empty();
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ void note_fit(Scene& scene) {
       !seen(scene, film.time(film.frames)))
     scene.notes.push_back(
         "/scene/camera: nothing that grows is in the picture; expected another look_at, or a \"fit\"");
-  for (std::string& note : scene.ground->remarks([&] { return boxes_of(scene); }, scene.stage.camera,
+  for (std::string& note : scene.ground->remarks([&] { return boxes_of(scene); }, scene.setup.camera,
                                                  scene.film.time(scene.film.frames)))
     scene.notes.push_back(std::move(note));
 }

@@ -9,8 +9,8 @@
 #include <map>
 #include <utility>
 
+#include "appearance/mask_drawing.h"
 #include "core/cancellation.h"
-#include "dress/mask_drawing.h"
 #include "organisms/kinds.h"
 #include "preset/json.h"
 #include "scene/bounds.h"
@@ -60,7 +60,7 @@ std::vector<PlacedEntry> find_places(const Preset& preset, const Extent& extent,
     plot.bed = {&organism, o, seeds[o], {}};
     if (organism.grower->traits().finds_own_place()) continue;
     auto room = static_cast<float>(room_of(place, extent));
-    for (Vec2 at : place.at) plot.spots.push_back({at, room}), taken.take(plot.spots.back());
+    for (Vec2 at : place.at) plot.spots.push_back({at, room}), taken.add(plot.spots.back());
     if (!place.on.empty()) continue;  // bodies are not there yet
     int more = organism.count - static_cast<int>(plot.spots.size());
     for (const Spot& spot :
@@ -137,7 +137,7 @@ void note_growth(Scene& scene, const Preset& preset) {
 /// A camera that sees nothing but the inside of what stands there.
 void note_camera(Scene& scene, const Preset& preset) {
   for (const std::string& said :
-       {under_ground(scene.stage.camera, preset.film, scene.ground->heights()), inside_something(scene)})
+       {under_ground(scene.setup.camera, preset.film, scene.ground->heights()), inside_something(scene)})
     if (!said.empty()) scene.notes.push_back(fault_at(preset, "/scene/camera/location", said).text());
 }
 
@@ -161,8 +161,8 @@ Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, Specime
 Result<Scene> build_wider(const Preset& preset, Camera camera, std::vector<std::size_t> before,
                           const ProgressSink& watch, SpecimenCache* cache, const EntryFilter& only) {
   Preset wider = preset;
-  wider.stage.camera = std::move(camera);
-  wider.stage.camera.fit.clear(), wider.stage.camera.follow = false;
+  wider.setup.camera = std::move(camera);
+  wider.setup.camera.fit.clear(), wider.setup.camera.follow = false;
   Result<Scene> scene = build_all(wider, watch, cache, only);
   if (!scene) return scene;
   for (std::size_t entry : scene->grown)
@@ -205,30 +205,30 @@ std::size_t Scene::nodes() const {
 }
 
 std::size_t Scene::bytes() const {
-  std::size_t bytes = specimens.capacity() * sizeof(Specimen) + stands.capacity() * sizeof(SownStand) +
+  std::size_t bytes = specimens.capacity() * sizeof(Specimen) + copy_sets.capacity() * sizeof(CopySet) +
                       bytes_of(drawings) + (ground ? ground->bytes() : 0);
   for (const Specimen& s : specimens) bytes += bytes_of(s);
-  for (const SownStand& stand : stands) {
-    const Copies& c = stand.copies;
+  for (const CopySet& set : copy_sets) {
+    const Copies& c = set.copies;
     bytes += bytes_of(c.model) + bytes_of(c.foot) + bytes_of(c.turn) + bytes_of(c.scale) + bytes_of(c.tint) +
              bytes_of(c.span);
   }
   return bytes;
 }
 
-std::string Scene::check() const {
+std::string Scene::find_fault() const {
   for (const Specimen& s : specimens)
-    if (std::string fault = s.check(); !fault.empty()) return s.name + ": " + fault;
-  for (const SownStand& stand : stands) {
-    const Copies& c = stand.copies;
+    if (std::string fault = s.find_fault(); !fault.empty()) return s.name + ": " + fault;
+  for (const CopySet& set : copy_sets) {
+    const Copies& c = set.copies;
     if (c.foot.size() != c.size() || c.turn.size() != c.size() || c.scale.size() != c.size() ||
         c.tint.size() != c.size() || (!c.span.empty() && c.span.size() != c.size()))
-      return stand.organism.name + ": the arrays of the copies differ in length";
+      return set.organism.name + ": the arrays of the copies differ in length";
     for (std::size_t i = 0; i < c.size(); ++i)
-      if (c.model[i] >= stand.organism.sown->models || c.tint[i] >= kTints || !(c.scale[i] > 0))
-        return fmt::format("{}: copy {} is none of a model", stand.organism.name, i);
+      if (c.model[i] >= set.organism.sown->models || c.tint[i] >= kTints || !(c.scale[i] > 0))
+        return fmt::format("{}: copy {} is none of a model", set.organism.name, i);
   }
-  return ground ? ground->floor().check() : "there is no ground";
+  return ground ? ground->floor().find_fault() : "there is no ground";
 }
 
 namespace {
@@ -236,32 +236,32 @@ namespace {
 Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, SpecimenCache* cache,
                         const EntryFilter& only) {
   // What has grown may be needed once more, see below.
-  if (SpecimenCache own; !cache && !preset.stage.camera.fit.empty())
+  if (SpecimenCache own; !cache && !preset.setup.camera.fit.empty())
     return build_all(preset, watch, &own, {});
   Seed seed{preset.seed};
   Scene scene;
   scene.film = preset.film;
-  scene.stage = preset.stage;
+  scene.setup = preset.setup;
   scene.seed = seed;
 
-  const SettingAnswers& setting = settings()[preset.stage.setting].answers;
+  const SettingAnswers& setting = settings()[preset.setup.setting].answers;
   watch.begin("place", 3);
-  std::unique_ptr<Grounds> ground = setting.lay(preset.stage, preset.film, reach_of(preset), seed);
-  if (preset.stage.camera.follow) scene.stage.camera = over_ground(preset.stage.camera, ground->heights());
+  std::unique_ptr<Grounds> ground = setting.lay(preset.setup, preset.film, reach_of(preset), seed);
+  if (preset.setup.camera.follow) scene.setup.camera = over_ground(preset.setup.camera, ground->heights());
   watch.step();
   TakenSpots taken;
-  std::vector<PlacedEntry> plots = find_places(preset, setting.extent(preset.stage), taken, scene.notes);
+  std::vector<PlacedEntry> plots = find_places(preset, setting.extent(preset.setup), taken, scene.notes);
   watch.step();
   ground->strew(taken);
-  sow_stands(scene, preset, *ground, taken.list());
-  if (preset.stand) draw_stand(scene, preset, *ground, stand_history(preset, *ground));
-  come_and_go(scene, preset);
+  sow_copies(scene, preset, *ground, taken.list());
+  if (preset.stand) add_stand(scene, preset, *ground, stand_history(preset, *ground));
+  set_copy_lifetimes(scene, preset);
   std::vector<Bed> beds = set_feet(preset, std::move(plots), *ground);
   watch.step();
 
   World world(seed, ground->heights(), preset.film.length(), preset.film.frames > 1, std::move(taken));
   std::optional<Vec3> storms_toward;
-  if (const auto& wind = preset.stage.wind) storms_toward = wind_field(*wind, 0, seed).along;
+  if (const auto& wind = preset.setup.wind) storms_toward = wind_field(*wind, 0, seed).along;
   world.schedule(preset.events, storms_toward);
   world.add(ground->furnishings());
   Result<GrownStages> grown = grow_in(world, preset, beds, *ground, watch, cache, only);
@@ -272,12 +272,12 @@ Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, Specime
   scene.missing = std::move(grown->missing);
   std::ranges::move(grown->notes, std::back_inserter(scene.notes));
 
-  scene.specimens = in_order(std::move(world).take_all(), preset);
+  scene.specimens = in_order(std::move(world).release(), preset);
   shade(scene.specimens);
   if (preset.film.frames > 1) feed(scene.specimens, preset.film.length());
-  blow(scene, preset);
-  if (!preset.stage.camera.fit.empty() && scene.missing.empty()) {
-    Camera moved = fitted(scene.stage.camera, outside_of(scene, preset.stage.camera.fit),
+  add_wind(scene, preset);
+  if (!preset.setup.camera.fit.empty() && scene.missing.empty()) {
+    Camera moved = fitted(scene.setup.camera, outside_of(scene, preset.setup.camera.fit),
                           preset.film.aspect(), ground->heights());
     // Land is laid as far as the camera goes: where it has to step back from all that, once more with that in
     // mind.
@@ -286,16 +286,16 @@ Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, Specime
       scene = {};  // its specimens are in the cache
       return build_wider(preset, std::move(moved), std::move(before), watch, cache, only);
     }
-    scene.stage.camera = std::move(moved);
+    scene.setup.camera = std::move(moved);
   }
   watch.begin("surround", 5);
-  ground->lay_litter(scene.stage.camera);
+  ground->lay_litter(scene.setup.camera);
   watch.step();
-  if (is_snowy(scene.stage) || is_rainy(scene.stage))
+  if (is_snowy(scene.setup) || is_rainy(scene.setup))
     scene.overhead = std::make_shared<const CoverGrid>(bodies_overhead(scene));
   std::optional<Specimen> snow = lying_snow(scene, *ground, seed.child("snow"));
   watch.step();
-  if (is_snowy(scene.stage)) load_boughs(scene, preset);
+  if (is_snowy(scene.setup)) load_boughs(scene, preset);
   watch.step();
   std::optional<Specimen> water = standing_water(scene, *ground);
   watch.step();
@@ -308,19 +308,19 @@ Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, Specime
   note_camera(scene, preset);
   note_growth(scene, preset);
   for (const Organism& organism : preset.organisms)
-    if (organism.count > 0 || (organism.sown && (preset.stand || preset.stage.far))) {
-      Look look = organism.grower->dress().look;
+    if (organism.count > 0 || (organism.sown && (preset.stand || preset.setup.far))) {
+      Look look = organism.grower->appearance().look;
       add_other_barks(look.branches, organism.edits);
       std::ranges::move(drawings(look), std::back_inserter(scene.drawings));
     }
-  if (const Mask& grass = scene.stage.block<Meadow>().lawn.map; !grass.empty())
+  if (const Mask& grass = scene.setup.block<Meadow>().lawn.map; !grass.empty())
     scene.drawings.push_back(mask_drawing(grass));
-  if (Errors errors = take_styles(scene, preset); !errors.empty()) return errors;
+  if (Errors errors = resolve_styles(scene, preset); !errors.empty()) return errors;
   note_fit(scene);
-  for (Specimen& s : scene.specimens) s.snowy = is_snowy(scene.stage), s.wet = is_rainy(scene.stage);
+  for (Specimen& s : scene.specimens) s.snowy = is_snowy(scene.setup), s.wet = is_rainy(scene.setup);
   if (snow) scene.specimens.push_back(std::move(*snow));
   if (water) scene.specimens.push_back(std::move(*water));
-  assert(scene.check().empty());
+  assert(scene.find_fault().empty());
   return scene;
 }
 

@@ -30,7 +30,7 @@ struct CopySpan {
   Vec2 size(double time) const { return glm::mix(first, last, static_cast<float>(share(time))); }
 };
 
-/// Copies of the models of a stand: a structure of arrays. Metres.
+/// Copies of the models of a set: a structure of arrays. Metres.
 struct Copies {
   std::vector<std::uint16_t> model;
   std::vector<Vec3> foot;
@@ -49,13 +49,13 @@ struct Copies {
   Vec3 scale_at(std::size_t i, double time) const;
   double moss_at(std::size_t i, double time) const;
 };
-inline constexpr int kTints = 12;  ///< colours that copies of a stand come in
+inline constexpr int kTints = 12;  ///< colours that copies of a set come in
 
 /// An organism that is sown: where its copies stand. Its models are grown when they are written.
-struct SownStand {
+struct CopySet {
   std::size_t entry = 0;                       ///< which of the preset's organisms
   Organism organism;                           ///< that one
-  Dress dress;                                 ///< what it wears
+  Appearance appearance;                       ///< what it wears
   std::shared_ptr<const WindField> wind = {};  ///< in which its copies sway; none: they do not
   Copies copies;
 
@@ -68,13 +68,13 @@ struct SownStand {
 /// All that stands before the camera, grown; nothing of it depends on the frame.
 struct Scene {
   Film film;
-  Stage stage;
+  SceneSetup setup;
   Seed seed;                                  ///< the preset's
-  std::shared_ptr<const Grounds> ground;      ///< that of the stage's setting
+  std::shared_ptr<const Grounds> ground;      ///< that of its setting
   std::shared_ptr<const DistantTerrain> far;  ///< the land beyond the ground; null: none
   std::shared_ptr<const CoverGrid> overhead;  ///< bodies that keep off snow and rain; null: it is dry
   std::vector<Specimen> specimens;
-  std::vector<SownStand> stands;
+  std::vector<CopySet> copy_sets;
   std::vector<Drawing> drawings;   ///< pictures that frames name, to be put beside them
   std::vector<std::string> notes;  ///< what the user should know of how it was built
   // With a cache of specimens:
@@ -90,7 +90,7 @@ struct Scene {
   std::size_t bytes() const;
 
   /// Checks all invariants: one line for the first fault, empty when all is well.
-  std::string check() const;
+  std::string find_fault() const;
 };
 
 /// Functions by which build_scene() tells how far it is.

@@ -86,13 +86,13 @@ Copies present(const Copies& all, Vec2 part, const std::vector<Instant>& instant
 
 }  // namespace
 
-void come_and_go(Scene& scene, const Preset& preset) {
-  if (!scene.stage.year) return;
-  std::vector<Instant> instants = instants_of(scene.film, *scene.stage.year);
+void set_copy_lifetimes(Scene& scene, const Preset& preset) {
+  if (!scene.setup.year) return;
+  std::vector<Instant> instants = instants_of(scene.film, *scene.setup.year);
   std::vector<Seed> seeds = entry_seeds(preset, "season");
-  for (SownStand& stand : scene.stands)
-    if (const auto& part = stand.organism.sown->present)
-      stand.copies = present(stand.copies, *part, instants, seeds[stand.entry], preset.version);
+  for (CopySet& set : scene.copy_sets)
+    if (const auto& part = set.organism.sown->present)
+      set.copies = present(set.copies, *part, instants, seeds[set.entry], preset.version);
 }
 
 }  // namespace frond

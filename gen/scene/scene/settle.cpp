@@ -27,7 +27,7 @@ DiscreteDistribution lots_on(const TriangleSurface& host) {
 }
 
 /// A place on the host, each as likely as any other.
-Planting draw_place(const TriangleSurface& host, const DiscreteDistribution& lots, Seed lot) {
+Planting sample_place(const TriangleSurface& host, const DiscreteDistribution& lots, Seed lot) {
   auto t = static_cast<std::uint32_t>(lots.drawn(lot.child("triangle").unit()));
   const auto& [a, b, c] = host.triangles()[t];
   Vec3 share(drawn_weights(lot.child("u").unit(), lot.child("v").unit()));
@@ -70,7 +70,7 @@ Errors settle_on_bodies(const Preset& preset, Bed& bed, const World& world, std:
   int fruitless = 0;
   for (std::uint64_t dart = 0; std::ssize(bed.plantings) < organism.count && fruitless < kFruitlessDarts;
        ++dart) {
-    Planting planting = draw_place(**host, lots, darts.child(dart));
+    Planting planting = sample_place(**host, lots, darts.child(dart));
     double away = glm::distance(Vec2(planting.foot.x, planting.foot.z), place.center);
     bool fits = away >= place.inner && away <= place.radius && is_free(settled, planting.foot, room);
     fruitless = fits ? 0 : fruitless + 1;

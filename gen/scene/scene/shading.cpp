@@ -81,8 +81,8 @@ class CrowdedSpace {
     Bounds box;
     for (const Specimen& s : specimens) {
       if (!is_colony(s)) continue;
-      for (const Vec3& at : s.model.skeleton.position) box.take(at);
-      box.take(bounds_of(s.model.solids));
+      for (const Vec3& at : s.model.skeleton.position) box.extend(at);
+      box.extend(bounds_of(s.model.solids));
     }
     if (box.empty()) return;
     grid_.enclose(box.low, box.high);

@@ -31,7 +31,7 @@ Vec2 level(Vec3 p) { return {p.x, p.z}; }
 
 /// Metres of a pixel where the camera comes nearest to a box.
 double nearest_pixel_of(const Scene& scene, const Bounds& box) {
-  const Camera& camera = scene.stage.camera;
+  const Camera& camera = scene.setup.camera;
   double nearest = 1e30, length = scene.film.length();
   for (int i = 0; i <= 8; ++i) {
     Vec3 eye = camera.location.at(length * i / 8);
@@ -53,11 +53,11 @@ std::vector<SnowTrunk> trunks_of(const Scene& scene, Vec2 middle) {
     for (std::size_t i = 0; i < bones.size(); ++i)
       if (bones.parent[i] == Skeleton::kRoot) add(bones.position[i], bones.radius[i]);
   }
-  for (const SownStand& stand : scene.stands)
-    for (std::size_t i = 0; i < stand.copies.size(); ++i)
-      if (stand.organism.sown->where.layer == Layer::canopy)
-        add(stand.copies.foot[i],
-            0.5f * stand.copies.scale[i] * static_cast<float>(stand.organism.sown->where.stem));
+  for (const CopySet& set : scene.copy_sets)
+    for (std::size_t i = 0; i < set.copies.size(); ++i)
+      if (set.organism.sown->where.layer == Layer::canopy)
+        add(set.copies.foot[i],
+            0.5f * set.copies.scale[i] * static_cast<float>(set.organism.sown->where.stem));
   return trunks;
 }
 
@@ -86,7 +86,7 @@ constexpr double kMoments = 8;        // a second
 /// calm air, by the pressure of the wind, and as much of it thaws.
 std::vector<double> hazard_at(const Scene& scene, const WindField& wind, Vec3 place) {
   constexpr double kShaken = 2;  // m/s near the ground that double the chance
-  const Snow& snow = scene.stage.snow;
+  const Snow& snow = scene.setup.snow;
   std::vector<double> sum{0};
   for (int i = 1; i <= kMoments * scene.film.length(); ++i) {
     double time = i / kMoments, speed = kLowWind * wind.speed * (1 + wind.gust(place, time)) / kShaken;
@@ -106,7 +106,7 @@ float passing(const std::vector<double>& sum, double level) {
 }
 
 SnowLoad load_of(const Scene& scene, const Skeleton& bones, const WindField& wind, Seed seed) {
-  SnowLoad load{scene.stage.snow.depth, {}, {}, {}, {}};
+  SnowLoad load{scene.setup.snow.depth, {}, {}, {}, {}};
   std::vector<float> begins;  // of each bough, its distance along the branches
   for (std::size_t i = 0; i < bones.size(); ++i) {
     Vec3 at = bones.position[i];
@@ -154,7 +154,7 @@ std::vector<SnowSeeds> snow_seeds(const Scene& scene, const Preset& preset) {
 }  // namespace
 
 void load_boughs(Scene& scene, const Preset& preset) {
-  if (scene.stage.snow.deepest() <= 0) return;
+  if (scene.setup.snow.deepest() <= 0) return;
   std::vector<SnowSeeds> seeds = snow_seeds(scene, preset);
   WindField wind = wind_in(scene).value_or(WindField{});
   parallel_for(scene.specimens.size(), [&](std::size_t i) {
@@ -167,16 +167,16 @@ void load_boughs(Scene& scene, const Preset& preset) {
 }
 
 CoverGrid bodies_overhead(const Scene& scene) {
-  CoverGrid bodies(seen_ground(scene.stage.camera, scene.film.length()).first, 2 * kAround, 0.08f);
-  for (const Surface& skin : skins_of(scene)) bodies.take(skin);
+  CoverGrid bodies(seen_ground(scene.setup.camera, scene.film.length()).first, 2 * kAround, 0.08f);
+  for (const Surface& skin : skins_of(scene)) bodies.add(skin);
   return bodies;
 }
 
 std::optional<Specimen> lying_snow(const Scene& scene, Grounds& ground, Seed seed) {
-  const Snow& snow = scene.stage.snow;
+  const Snow& snow = scene.setup.snow;
   double deepest = snow.deepest();
-  if (!is_snowy(scene.stage) || deepest <= 0) return {};
-  auto [middle, reach] = seen_ground(scene.stage.camera, scene.film.length());
+  if (!is_snowy(scene.setup) || deepest <= 0) return {};
+  auto [middle, reach] = seen_ground(scene.setup.camera, scene.film.length());
   const CoverGrid& bodies = *scene.overhead;
   double sown = ground.land({}).size;
   auto kept = [&](Vec2 at) { return snow.depth_map.on_land(at, sown); };

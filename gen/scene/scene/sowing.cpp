@@ -46,13 +46,13 @@ Copies copies_of(const Organism& organism, const std::vector<Sprout>& sprouts, c
 
 }  // namespace
 
-void sow_stands(Scene& scene, const Preset& preset, const Grounds& ground, std::vector<Spot> taken) {
+void sow_copies(Scene& scene, const Preset& preset, const Grounds& ground, std::vector<Spot> taken) {
   std::vector<SowOrder> orders;
   std::vector<Seed> seeds = entry_seeds(preset, "organism");
   for (std::size_t o = 0; o < preset.organisms.size(); ++o) {
     const Organism& organism = preset.organisms[o];
     if (!organism.sown || organism.count == 0) continue;
-    scene.stands.push_back({o, organism, copy_dress(organism), {}, {}});
+    scene.copy_sets.push_back({o, organism, copy_appearance(organism), {}, {}});
     SowRules where = organism.sown->where;
     if (preset.stand) where.shade = {0, 1};  // which is that of the trees, and another in each year
     orders.push_back({std::move(where), organism.count, organism.place.size_variation, organism.sown->models,
@@ -61,13 +61,13 @@ void sow_stands(Scene& scene, const Preset& preset, const Grounds& ground, std::
   if (orders.empty()) return;
   std::vector<std::vector<Sprout>> sown = sow(orders, ground.land(std::move(taken)));
   for (std::size_t i = 0; i < sown.size(); ++i) {
-    SownStand& stand = scene.stands[i];
-    const Organism& organism = preset.organisms[stand.entry];
-    stand.copies = copies_of(organism, sown[i], ground.heights());
+    CopySet& set = scene.copy_sets[i];
+    const Organism& organism = preset.organisms[set.entry];
+    set.copies = copies_of(organism, sown[i], ground.heights());
     if (static_cast<int>(sown[i].size()) < organism.count)
       scene.notes.push_back(
           fmt::format("{}: only {} of {} found room; sown.where less strict, or its radius less?",
-                      organism.name.empty() ? fmt::format("organism {}", stand.entry) : organism.name,
+                      organism.name.empty() ? fmt::format("organism {}", set.entry) : organism.name,
                       sown[i].size(), organism.count));
   }
 }

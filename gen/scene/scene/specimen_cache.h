@@ -14,7 +14,7 @@ class SpecimenCache : public LruCache<std::vector<Specimen>> {
  public:
   /// Keeps up to so many bytes, about.
   explicit SpecimenCache(std::size_t bytes = std::size_t{2} << 30) : LruCache(bytes) {}
-  explicit SpecimenCache(std::shared_ptr<CacheBudget> room) : LruCache(std::move(room)) {}
+  explicit SpecimenCache(std::shared_ptr<CacheBudget> budget) : LruCache(std::move(budget)) {}
 
   void keep(const std::string& key, std::vector<Specimen> grown);
 };

@@ -24,7 +24,7 @@ namespace {
 std::string dates_text(const Preset& preset) {
   std::string text;
   for (const Event& event : preset.events) text += keys_of(event).all();
-  if (const auto& wind = preset.stage.wind)
+  if (const auto& wind = preset.setup.wind)
     text += fmt::format(" {} {}", wind->direction.x, wind->direction.z);
   return text;
 }
@@ -40,7 +40,7 @@ class SceneBuilder {
                           floor.position.size() * sizeof(Vec3));
     land_ = content_id(land);
     surroundings_ =
-        fmt::format("{} {} {}", preset.film.length(), preset.film.frames > 1, preset.stage.setting);
+        fmt::format("{} {} {}", preset.film.length(), preset.film.frames > 1, preset.setup.setting);
     if (!preset.events.empty()) surroundings_ += dates_text(preset);
   }
 
@@ -105,7 +105,7 @@ class SceneBuilder {
     std::vector<Errors> errors(groups.size());
     std::vector<char> fresh(groups.size()), left_out(groups.size());
     parallel_for(groups.size(), [&](std::size_t g) {
-      fresh[g] = !take_grown(keys[g], groups[g], world, specimens[g]);
+      fresh[g] = !reuse_grown(keys[g], groups[g], world, specimens[g]);
       left_out[g] = fresh[g] && !wants(groups[g]);
       if (fresh[g] && !left_out[g]) errors[g] = grow(groups[g], world, keys[g], unedited[g], specimens[g]);
     });
@@ -129,8 +129,8 @@ class SceneBuilder {
 
   /// What has grown on other land stands on this one: at the same feet, and only its leaves fall elsewhere.
   /// Its entry may have had another number then.
-  bool take_grown(const std::string& key, const std::vector<Bed>& beds, const World& world,
-                  std::vector<Specimen>& specimens) {
+  bool reuse_grown(const std::string& key, const std::vector<Bed>& beds, const World& world,
+                   std::vector<Specimen>& specimens) {
     auto kept = cache_ ? cache_->find(key) : nullptr;
     if (!kept || std::ranges::any_of(*kept, [](const auto& s) { return s.model.solids.follow_ground; }))
       return false;
@@ -147,12 +147,12 @@ class SceneBuilder {
   Errors grow(const std::vector<Bed>& beds, const World& world, const std::string& key,
               const std::string& unedited, std::vector<Specimen>& specimens) {
     stay_wanted();
-    if (unedited.empty() || !take_grown(unedited, beds, world, specimens)) {
+    if (unedited.empty() || !reuse_grown(unedited, beds, world, specimens)) {
       std::vector<Result<Specimen>> all = beds.front().organism->grower->grow(beds, world, watch_.step);
       for (std::size_t i = 0; i < all.size(); ++i) {
         if (!all[i])
           return placed(all[i].errors(), fmt::format("/organisms/{}", bed_of(beds, i).first->entry));
-        assert(all[i]->model.check().empty() && "before others build on it");
+        assert(all[i]->model.find_fault().empty() && "before others build on it");
         specimens.push_back(std::move(*all[i]));
       }
       if (cache_ && !unedited.empty()) cache_->keep(unedited, specimens);
@@ -163,7 +163,7 @@ class SceneBuilder {
       Life& life = specimens[i].life;
       if (!cache_) life.edit = {};
       if (!life.edit && !life.develop) life.held = 0;
-      assert(specimens[i].model.check().empty() && "edits leave a whole model");
+      assert(specimens[i].model.find_fault().empty() && "edits leave a whole model");
     });
     if (cache_) cache_->keep(key, specimens);
     return {};

@@ -44,9 +44,9 @@ StandHistory stand_history(const Preset& preset, const Grounds& ground) {
 
 StandHistory stand_history(const Preset& preset) {
   const StandText& text = *preset.stand;
-  const SettingAnswers& setting = settings()[preset.stage.setting].answers;
+  const SettingAnswers& setting = settings()[preset.setup.setting].answers;
   double reach = static_cast<double>(std::max(text.area.x, text.area.y)) / 2;
-  return stand_history(preset, *setting.lay(preset.stage, preset.film, reach, Seed{preset.seed}));
+  return stand_history(preset, *setting.lay(preset.setup, preset.film, reach, Seed{preset.seed}));
 }
 
 }  // namespace frond

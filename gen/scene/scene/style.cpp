@@ -18,7 +18,7 @@ Style settled(Style style, const Skeleton& rest) {
 
 namespace {
 
-Errors take_style(Specimen& b, const Style& style) {
+Errors resolve_style(Specimen& b, const Style& style) {
   b.style = settled(style, b.model.skeleton);
   if (b.style.build == Build::sweeps || b.model.skeleton.size() < 2) return {};
   VolumeOptions options{b.style.voxel, b.style.adaptivity, b.style.limit};
@@ -29,10 +29,10 @@ Errors take_style(Specimen& b, const Style& style) {
 
 }  // namespace
 
-Errors take_styles(Scene& scene, const Preset& preset) {
+Errors resolve_styles(Scene& scene, const Preset& preset) {
   for (Specimen& b : scene.specimens) {
     if (b.entry >= preset.organisms.size()) continue;  // of the setting itself
-    Errors errors = take_style(b, preset.organisms[b.entry].style);
+    Errors errors = resolve_style(b, preset.organisms[b.entry].style);
     for (Error& error : errors) error = fault_at(preset, error.where, error.what);
     if (!errors.empty()) return errors;
   }

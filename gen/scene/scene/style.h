@@ -10,6 +10,6 @@ Style settled(Style style, const Skeleton& rest);
 
 /// Gives each organism the style of its entry, with a voxel that suits its size where that names none. Errors
 /// where a volume is refused, which is estimated before anything large is allocated.
-Errors take_styles(Scene& scene, const Preset& preset);
+Errors resolve_styles(Scene& scene, const Preset& preset);
 
 }  // namespace frond

@@ -5,7 +5,7 @@
 #include "core/vec.h"
 #include "preset/json.h"
 #include "preset/text_edits.h"
-#include "scene/idle.h"
+#include "scene/unused_properties.h"
 
 namespace frond {
 namespace {

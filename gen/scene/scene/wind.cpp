@@ -28,30 +28,30 @@ std::vector<Gale> gales_of(const Preset& preset, double gusts) {
 
 }  // namespace
 
-bool in_wind(const Motion& motion, const Stage& stage) {
-  return stage.wind && motion.wood && motion.wave.amplitude == 0;
+bool in_wind(const Motion& motion, const SceneSetup& setup) {
+  return setup.wind && motion.wood && motion.wave.amplitude == 0;
 }
 
-bool sown_in_wind(const Organism& organism, const Motion& motion, const Stage& stage) {
-  return in_wind(motion, stage) ||
-         (stage.wind && organism.grower->traits().branches && motion.wave.amplitude == 0);
+bool sown_in_wind(const Organism& organism, const Motion& motion, const SceneSetup& setup) {
+  return in_wind(motion, setup) ||
+         (setup.wind && organism.grower->traits().branches && motion.wave.amplitude == 0);
 }
 
 std::optional<WindField> wind_in(const Scene& scene, std::vector<Gale> gales) {
-  if (!scene.stage.wind) return {};
-  return wind_field(*scene.stage.wind, scene.film.loop(), scene.seed.child("wind"), std::move(gales));
+  if (!scene.setup.wind) return {};
+  return wind_field(*scene.setup.wind, scene.film.loop(), scene.seed.child("wind"), std::move(gales));
 }
 
-void blow(Scene& scene, const Preset& preset) {
-  if (!scene.stage.wind) return;
+void add_wind(Scene& scene, const Preset& preset) {
+  if (!scene.setup.wind) return;
   bool filmed = preset.film.frames > 1;
   auto field = std::make_shared<const WindField>(
-      *wind_in(scene, filmed ? gales_of(preset, scene.stage.wind->gusts) : std::vector<Gale>{}));
+      *wind_in(scene, filmed ? gales_of(preset, scene.setup.wind->gusts) : std::vector<Gale>{}));
   parallel_for(scene.specimens.size(), [&](std::size_t i) {
-    if (Specimen& s = scene.specimens[i]; in_wind(s.motion, scene.stage)) take_wind(s, field);
+    if (Specimen& s = scene.specimens[i]; in_wind(s.motion, scene.setup)) set_wind(s, field);
   });
-  for (SownStand& stand : scene.stands)
-    if (sown_in_wind(stand.organism, stand.dress.motion, scene.stage)) stand.wind = field;
+  for (CopySet& set : scene.copy_sets)
+    if (sown_in_wind(set.organism, set.appearance.motion, scene.setup)) set.wind = field;
 }
 
 }  // namespace frond

@@ -122,34 +122,33 @@ class Library {
     for (const Event& event : preset_.events)
       if (event.prune && concerns(event.prune->entry, organism.name))
         prunings_.push_back({event.year, event.prune->below});
-    std::vector<SownStand> stands;
+    std::vector<CopySet> sets;
     for (Form form : {Form::whole, Form::pruned, Form::dead})
       for (const Stature& stature : statures_) {
         auto reached = std::ranges::find_if(heights, [&](float h) { return h >= stature.height; });
         double years = static_cast<double>(std::min(reached - heights.begin() + 1, std::ssize(heights)));
-        stands.push_back(stand_of(organism, entry, stature, heights.empty() ? 1 : years, form));
+        sets.push_back(copy_set_of(organism, entry, stature, heights.empty() ? 1 : years, form));
       }
     for (std::uint32_t i = 0; i < history_.lives.size(); ++i)
-      if (history_.lives[i].species == species) place(stands, i);
-    for (SownStand& stand : stands)
-      if (stand.copies.size() > 0) scene.stands.push_back(std::move(stand));
+      if (history_.lives[i].species == species) place(sets, i);
+    for (CopySet& set : sets)
+      if (set.copies.size() > 0) scene.copy_sets.push_back(std::move(set));
   }
 
  private:
-  SownStand stand_of(const Organism& organism, std::size_t entry, const Stature& stature, double years,
-                     Form form) const {
-    SownStand stand;
-    stand.entry = entry, stand.organism = organism;
+  CopySet copy_set_of(const Organism& organism, std::size_t entry, const Stature& stature, double years,
+                      Form form) const {
+    CopySet set;
+    set.entry = entry, set.organism = organism;
     double clear = 0;
     if (form == Form::pruned)
       for (const Pruning& p : prunings_) clear = std::max(clear, p.below);
     if (const Perennial* lived = organism.grower->perennial())
-      if (auto aged = lived->at_age(years, form == Form::dead ? kBare : 0, clear))
-        stand.organism.grower = aged;
-    stand.organism.sown->size = ModelSize{stature.height, stature.crown, kFlare * stature.diameter};
-    stand.organism.sown->where.radius = stature.crown;
-    stand.dress = copy_dress(stand.organism);
-    return stand;
+      if (auto aged = lived->at_age(years, form == Form::dead ? kBare : 0, clear)) set.organism.grower = aged;
+    set.organism.sown->size = ModelSize{stature.height, stature.crown, kFlare * stature.diameter};
+    set.organism.sown->where.radius = stature.crown;
+    set.appearance = copy_appearance(set.organism);
+    return set;
   }
 
   Vec2 factors(std::uint32_t i, double year, const Stature& stature) const {
@@ -190,7 +189,7 @@ class Library {
     }
   }
 
-  void place(std::vector<SownStand>& stands, std::uint32_t i) const {
+  void place(std::vector<CopySet>& sets, std::uint32_t i) const {
     const TreeLife& life = history_.lives[i];
     std::vector<Chapter> chapters = chapters_of(history_, life, statures_);
     prune(chapters, pruned_in(i));
@@ -206,15 +205,15 @@ class Library {
       if (fell > wilted) chapters.push_back({last, Form::dead, wilted, fell}), wilted = fell;
       if (rotted > wilted) chapters.push_back({last, Form::dead, wilted, rotted});
     }
-    for (const Chapter& c : chapters) add_copy(stands, i, c, c.from >= life.fell ? fall : nullptr);
+    for (const Chapter& c : chapters) add_copy(sets, i, c, c.from >= life.fell ? fall : nullptr);
   }
 
-  void add_copy(std::vector<SownStand>& stands, std::uint32_t i, const Chapter& c,
+  void add_copy(std::vector<CopySet>& sets, std::uint32_t i, const Chapter& c,
                 std::shared_ptr<const Fall> fall) const {
     const TreeLife& life = history_.lives[i];
     if (c.to <= c.from || film_.time(c.to) <= 0 || film_.time(c.from) > film_.length) return;
     const Stature& stature = statures_[c.stature];
-    SownStand& stand = stands[c.stature + static_cast<std::size_t>(c.form) * statures_.size()];
+    CopySet& set = sets[c.stature + static_cast<std::size_t>(c.form) * statures_.size()];
     Seed seed = Seed{preset_.seed}.child("life", i);
     CopySpan span{film_.time(c.from), film_.time(c.to), factors(i, c.from, stature),
                   factors(i, c.to, stature), std::move(fall)};
@@ -223,9 +222,9 @@ class Library {
       auto moss = [&](double year) { return static_cast<float>(std::min((year - life.fell) / kMossy, 1.0)); };
       span.moss = {moss(c.from), moss(c.to)};
     }
-    Copies& copies = stand.copies;
-    copies.model.push_back(static_cast<std::uint16_t>(
-        seed.child("model").bits() % static_cast<std::uint64_t>(stand.organism.sown->models)));
+    Copies& copies = set.copies;
+    copies.model.push_back(static_cast<std::uint16_t>(seed.child("model").bits() %
+                                                      static_cast<std::uint64_t>(set.organism.sown->models)));
     copies.foot.emplace_back(life.x, heights_(life.x, life.z), life.z);
     copies.turn.push_back(
         glm::angleAxis(static_cast<float>(seed.child("turn").range(0, 2 * kPi)), Vec3(0, 1, 0)));
@@ -285,11 +284,11 @@ Animated<double> closed_over(const std::vector<Crowns>& crowns, const Camera& ca
   return Animated<double>(std::move(keys));
 }
 
-/// The copies of a stand that is sown below the trees: each shows in the years in which it gets the shade
+/// The copies of a set that is sown below the trees: each shows in the years in which it gets the shade
 /// that it likes, and comes up and dies back within kSpread years.
-Copies undergrowth(const SownStand& stand, const std::vector<Crowns>& crowns, const StandFilm& film) {
-  const Copies& all = stand.copies;
-  Vec2 likes = stand.organism.sown->where.shade;
+Copies undergrowth(const CopySet& set, const std::vector<Crowns>& crowns, const StandFilm& film) {
+  const Copies& all = set.copies;
+  Vec2 likes = set.organism.sown->where.shade;
   std::vector<std::vector<CopySpan>> spans(all.size());
   parallel_for(all.size(), [&](std::size_t i) {
     Vec2 at(all.foot[i].x, all.foot[i].z);
@@ -320,7 +319,7 @@ Copies undergrowth(const SownStand& stand, const std::vector<Crowns>& crowns, co
 
 }  // namespace
 
-void draw_stand(Scene& scene, const Preset& preset, const Grounds& ground, const StandHistory& history) {
+void add_stand(Scene& scene, const Preset& preset, const Grounds& ground, const StandHistory& history) {
   const StandText& text = *preset.stand;
   Vec2 shown = text.shown.value_or(Vec2(0, text.years));
   bool still = preset.film.frames <= 1;
@@ -329,9 +328,9 @@ void draw_stand(Scene& scene, const Preset& preset, const Grounds& ground, const
   std::vector<Crowns> crowns;
   for (double year = film.from; year < film.to + kSpread; year += kSpread)
     crowns.push_back(crowns_at(history, std::min<double>(year, history.years)));
-  scene.stage.closed = closed_over(crowns, scene.stage.camera, film);
-  for (SownStand& stand : scene.stands)
-    if (stand.organism.sown->where.layer != Layer::canopy) stand.copies = undergrowth(stand, crowns, film);
+  scene.setup.closed = closed_over(crowns, scene.setup.camera, film);
+  for (CopySet& set : scene.copy_sets)
+    if (set.organism.sown->where.layer != Layer::canopy) set.copies = undergrowth(set, crowns, film);
   Library library(preset, ground, history, film);
   for (std::uint32_t k = 0; k < text.species.size(); ++k)
     for (std::size_t entry = 0; entry < preset.organisms.size(); ++entry)

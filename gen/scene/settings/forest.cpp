@@ -168,11 +168,11 @@ namespace {
 constexpr double kLongestCameraPath = 10'000;  // metres that a camera goes
 
 /// Leaves and moss lie wherever the camera comes near.
-void check_litter(Errors& list, const Stage& stage, const Film& film) {
+void check_litter(Errors& list, const SceneSetup& setup, const Film& film) {
   double length = 0;
-  Vec3 last = stage.camera.location.at(film.time(1));
+  Vec3 last = setup.camera.location.at(film.time(1));
   for (int frame = 2; frame <= film.frames; ++frame) {
-    Vec3 at = stage.camera.location.at(film.time(frame));
+    Vec3 at = setup.camera.location.at(film.time(frame));
     length += glm::distance(last, at);
     last = at;
   }
@@ -190,45 +190,45 @@ SettingRow forest_setting() {
       "Hour and land, for forest; clouds and haze are the meadow's",
       {"/forest", "/meadow/haze", "/meadow/clouds", "/meadow/turbidity", "/meadow/moon", "/meadow/zenith",
        "/meadow/horizon", "/snow", "/rain", "/far", "/year"},
-      [](const Stage& stage) {
-        const TerrainShape& land = stage.block<Forest>().terrain;
+      [](const SceneSetup& setup) {
+        const TerrainShape& land = setup.block<Forest>().terrain;
         return Extent{.reach = std::max(30.0, land.size), .sown = land.size, .relief = land.hills};
       },
-      [](const Stage& stage, const Film& film) {
-        const TerrainShape& land = stage.block<Forest>().terrain;
+      [](const SceneSetup& setup, const Film& film) {
+        const TerrainShape& land = setup.block<Forest>().terrain;
         Errors errors;
         check_path(errors, land.path, "/forest/terrain/path/points", std::max(1200.0, 2 * land.size));
-        check_litter(errors, stage, film);
+        check_litter(errors, setup, film);
         return errors;
       },
-      [](const Stage& stage, const Film& film) {
+      [](const SceneSetup& setup, const Film& film) {
         // Litter lies wherever the camera passes by.
         double length = 0;
         for (int frame = 2, step = std::max(1, film.frames / 200); frame <= film.frames; frame += step) {
-          Vec3 moved = stage.camera.location.at(film.time(frame)) -
-                       stage.camera.location.at(film.time(std::max(1, frame - step)));
+          Vec3 moved = setup.camera.location.at(film.time(frame)) -
+                       setup.camera.location.at(film.time(std::max(1, frame - step)));
           length += std::hypot(moved.x, moved.z);
         }
         return GroundSizeEstimate{39'200, 13'700, 3000 + 170 * length};
       },
-      [](const Stage& stage, const Film& film, double, Seed seed) -> std::unique_ptr<Grounds> {
-        AltitudeLines lines = stage.far.value_or(FarLandShape{}).lines();
-        lines.shaded = shaded_side(stage);
-        return std::make_unique<ForestGround>(stage.block<Forest>(), film, seed, lines);
+      [](const SceneSetup& setup, const Film& film, double, Seed seed) -> std::unique_ptr<Grounds> {
+        AltitudeLines lines = setup.far.value_or(FarLandShape{}).lines();
+        lines.shaded = shaded_side(setup);
+        return std::make_unique<ForestGround>(setup.block<Forest>(), film, seed, lines);
       },
-      [](const Stage& stage) {
-        const auto& forest = stage.block<Forest>();
+      [](const SceneSetup& setup) {
+        const auto& forest = setup.block<Forest>();
         // Litter lies on moss, too.
         auto green = static_cast<float>(0.6 * forest.moss);
-        Sky sky = forest_sky(stage);
+        Sky sky = forest_sky(setup);
         Daylight light =
             daylight(sky, forest.litter, glm::mix(linear(forest.litter), linear(forest.green), green),
-                     stage.block<Meadow>().haze);
+                     setup.block<Meadow>().haze);
         light.fog = 0.74f * (0.92f * sky.horizon * linear(forest.air) + 0.07f * sky.zenith);
         light.mist = 0.8f * sky.horizon + 0.06f * sky.zenith;
         return light;
       },
-      [](Stage& stage) { return &stage.block<Forest>().hour; });
+      [](SceneSetup& setup) { return &setup.block<Forest>().hour; });
 }
 
 double leaf_share(double year) {
@@ -243,13 +243,13 @@ double canopy(double year) { return std::lerp(0.15, 1.0, leaf_share(year)); }
 
 }  // namespace
 
-Sky forest_sky(const Stage& stage) {
-  const auto& forest = stage.block<Forest>();
+Sky forest_sky(const SceneSetup& setup) {
+  const auto& forest = setup.block<Forest>();
   Moment when = forest.when;
   when.hour = forest.hour.at(0);
-  double brighten = forest.brighten * (stage.year ? canopy(stage.year->at(0)) : 1) *
-                    (stage.closed ? stage.closed->at(0) : 1);
-  return sky_over(stage, sun_at(when), stage.camera.stops() + brighten);
+  double brighten = forest.brighten * (setup.year ? canopy(setup.year->at(0)) : 1) *
+                    (setup.closed ? setup.closed->at(0) : 1);
+  return sky_over(setup, sun_at(when), setup.camera.stops() + brighten);
 }
 
 }  // namespace frond

@@ -60,40 +60,40 @@ SettingRow garden_setting() {
        "/meadow/extent", "/meadow/flowers", "/meadow/plants",  "/meadow/bare",   "/meadow/grass_map",
        "/floor/relief",  "/floor/scale",    "/snow",           "/rain",          "/far",
        "/year"},
-      [](const Stage&) { return Extent{.sown = kLawnSown}; },
-      [](const Stage& stage, const Film&) {
-        Errors errors = check_grass(stage.block<Meadow>().lawn);
-        check_path(errors, stage.block<Garden>().path, "/garden/path/points", kLand);
-        if (errors.empty()) check_gravel(errors, stage.block<Garden>());
+      [](const SceneSetup&) { return Extent{.sown = kLawnSown}; },
+      [](const SceneSetup& setup, const Film&) {
+        Errors errors = check_grass(setup.block<Meadow>().lawn);
+        check_path(errors, setup.block<Garden>().path, "/garden/path/points", kLand);
+        if (errors.empty()) check_gravel(errors, setup.block<Garden>());
         return errors;
       },
-      [](const Stage& stage, const Film& film) {
+      [](const SceneSetup& setup, const Film& film) {
         GroundSizeEstimate ground{.triangles = 89'700 + 66'400};
-        estimate_grass(stage.block<Meadow>().lawn, film, ground);
+        estimate_grass(setup.block<Meadow>().lawn, film, ground);
         ground.grass *= 1.3;
         ground.placed = 1000 + 1.6 * ground.placed;
         return ground;
       },
-      [](const Stage& stage, const Film& film, double reach, Seed seed) -> std::unique_ptr<Grounds> {
-        const auto& garden = stage.block<Garden>();
-        auto lawn = std::make_unique<Lawn>(stage.floor, stage.block<Meadow>().lawn, film.quality, reach,
+      [](const SceneSetup& setup, const Film& film, double reach, Seed seed) -> std::unique_ptr<Grounds> {
+        const auto& garden = setup.block<Garden>();
+        auto lawn = std::make_unique<Lawn>(setup.floor, setup.block<Meadow>().lawn, film.quality, reach,
                                            Plot(garden.pond, garden.path, seed.child("plot"), garden.areas),
                                            garden.lilies, garden.gravel, garden.path.width, seed);
         lawn->gravel_color = garden.gravel_color, lawn->earth_color = garden.earth_color;
         return lawn;
       },
-      [](const Stage& stage) {
-        const auto& meadow = stage.block<Meadow>();
-        return daylight(garden_sky(stage), meadow.grass, linear(meadow.grass), meadow.haze);
+      [](const SceneSetup& setup) {
+        const auto& meadow = setup.block<Meadow>();
+        return daylight(garden_sky(setup), meadow.grass, linear(meadow.grass), meadow.haze);
       },
-      [](Stage& stage) { return &stage.block<Garden>().hour; });
+      [](SceneSetup& setup) { return &setup.block<Garden>().hour; });
 }
 
-Sky garden_sky(const Stage& stage) {
-  const auto& garden = stage.block<Garden>();
+Sky garden_sky(const SceneSetup& setup) {
+  const auto& garden = setup.block<Garden>();
   Moment when = garden.when;
   when.hour = garden.hour.at(0);
-  return sky_over(stage, sun_at(when), stage.camera.stops());
+  return sky_over(setup, sun_at(when), setup.camera.stops());
 }
 
 }  // namespace frond

@@ -25,15 +25,15 @@ constexpr double kCover = 1.05;  // blades that stand for one
 constexpr double kClod = 0.05;   // metres, of the earth in beds
 
 /// Lays squares of `side` metres, in sizes down to side / 2^kHalvings, wherever `edge` (metres to the edge,
-/// below 0 inside) says so. Shapes are numbered: kTurfShapes of each of `stands`, and those of each size, the
-/// largest first.
+/// below 0 inside) says so. Shapes are numbered: kTurfShapes of each of `mixtures`, and those of each size,
+/// the largest first.
 struct Paving {
   const Heights& heights;
   Seed seed;
   std::function<double(Vec2)> edge;
   std::vector<Patch>& into;
-  int stands = 1;
-  std::function<int(Vec2, const Seed&)> stand = {};
+  int mixtures = 1;
+  std::function<int(Vec2, const Seed&)> mixture_at = {};
   const Mask* map = nullptr;  // of what lies there; not given: all of it
 
   /// Whether the map differs over a square, or is grey there.
@@ -62,7 +62,7 @@ struct Paving {
     double step = side / 2;
     Vec2 slope(static_cast<float>((heights(at.x + step, at.y) - heights(at.x - step, at.y)) / side),
                static_cast<float>((heights(at.x, at.y + step) - heights(at.x, at.y - step)) / side));
-    int shape = kTurfShapes * (stands * halved + (stand ? stand(at, own) : 0)) +
+    int shape = kTurfShapes * (mixtures * halved + (mixture_at ? mixture_at(at, own) : 0)) +
                 static_cast<int>(own.child(0).bits() % kTurfShapes);
     double turn = kPi / 2 * static_cast<double>(own.child(1).bits() % 4);
     into.push_back({shape, Vec3(at.x, static_cast<float>(heights(at.x, at.y)), at.y), turn, slope});
@@ -108,7 +108,7 @@ Errors check_grass(const LawnShape& meadow) {
 void estimate_grass(const LawnShape& shape, const Film& film, GroundSizeEstimate& ground) {
   if (shape.blade <= 0 || shape.blades <= 0) return;
   double side = 5 * shape.blade, thin = film.quality == Quality::draft ? 0.6 : 1;
-  ground.grass += 12 * kTurfStands * kTurfShapes * 1.25 * side * side * shape.blades * thin;
+  ground.grass += 12 * kTurfMixtures * kTurfShapes * 1.25 * side * side * shape.blades * thin;
   ground.placed += kPi * std::pow(shape.extent / side + 0.5, 2);
 }
 
@@ -173,15 +173,15 @@ namespace {
 
 /// What grows in one of the mixtures: some kinds gather there, others keep away, and on the whole there is as
 /// much of each as was asked for.
-std::vector<Sward> mixture(std::vector<Sward> plants, int stand, const Seed& seed) {
+std::vector<Sward> mixture(std::vector<Sward> plants, int which, const Seed& seed) {
   constexpr double kGathered = 1.1;
   for (std::size_t i = 0; i < plants.size(); ++i) {
     double all = 0, here = 0;
-    for (int k = 0; k < kTurfStands; ++k) {
+    for (int k = 0; k < kTurfMixtures; ++k) {
       double weight =
           std::exp(kGathered * seed.child("liking", i).child(static_cast<std::uint64_t>(k)).range(-1, 1));
-      all += weight / kTurfStands;
-      if (k == stand) here = weight;
+      all += weight / kTurfMixtures;
+      if (k == which) here = weight;
     }
     plants[i].share *= here / all;
   }
@@ -196,23 +196,23 @@ void Lawn::sow(Seed seed) {
   double thin = quality_ == Quality::draft ? 0.6 : 1.0, side = 5 * shape_.blade;
   bool whole = !plot_.has_pond() && !plot_.has_path() && !plot_.has_earth() && shape_.map.empty();
   int sizes = whole ? 1 : kHalvings + 1;
-  for (int i = 0; i < kTurfShapes * kTurfStands * sizes; ++i) {
-    int stand = i / kTurfShapes % kTurfStands;
-    int halved = i / (kTurfShapes * kTurfStands);
+  for (int i = 0; i < kTurfShapes * kTurfMixtures * sizes; ++i) {
+    int which = i / kTurfShapes % kTurfMixtures;
+    int halved = i / (kTurfShapes * kTurfMixtures);
     double own_side = side / (1 << halved);
     TurfShape shape{own_side,
                     (halved ? 0.12 : 0.4) * own_side,
                     shape_.blade,
                     kCover * shape_.blades * thin,
                     shape_.flowers / thin,
-                    mixture(shape_.plants, stand, seed.child("mixture")),
-                    stand == kTurfStands - 1};
+                    mixture(shape_.plants, which, seed.child("mixture")),
+                    which == kTurfMixtures - 1};
     turf.push_back(turf_surface(shape, seed.child("shape").child(static_cast<std::uint64_t>(i))));
   }
   // Kinds gather in wide spots, with ragged rims.
   Vec3 shift(static_cast<float>(seed.child("gathering").range(0, 1000)), 0, 0);
-  auto stand = [&](Vec2 at, const Seed& own) {
-    if (own.child(6).unit() < shape_.bare) return kTurfStands - 1;
+  auto mixture_at = [&](Vec2 at, const Seed& own) {
+    if (own.child(6).unit() < shape_.bare) return kTurfMixtures - 1;
     double spot = fractal_noise(Vec3(at.x, 0, at.y) / (6 * static_cast<float>(side)) + shift, 2) +
                   own.child(7).range(-0.35, 0.35);
     return spot < -0.2 ? 0 : spot < 0.2 ? 1 : 2;
@@ -222,7 +222,7 @@ void Lawn::sow(Seed seed) {
     double bed = plot_.has_earth() ? plot_.earth_distance(at) : 1e6;
     return std::max({-path, -bed, 0.02 - plot_.pond_distance(at)});
   };
-  Paving paving{heights(), seed, edge, turf_patches, kTurfStands, stand, &shape_.map};
+  Paving paving{heights(), seed, edge, turf_patches, kTurfMixtures, mixture_at, &shape_.map};
   int reach = static_cast<int>(std::ceil(shape_.extent / side));
   for (int row = -reach; row <= reach; ++row) {
     for (int column = -reach; column <= reach; ++column) {

@@ -11,7 +11,7 @@ namespace frond {
 
 inline constexpr int kTurfShapes = 4;  ///< number of patches per size and mixture
 /// Number of plant mixtures of a lawn, each with more of some kinds and less of others; the last is sparse.
-inline constexpr int kTurfStands = 4;
+inline constexpr int kTurfMixtures = 4;
 
 inline constexpr double kLawnSown = 200;         ///< metres, the square of a lawn that is sown
 inline constexpr double kMostPatches = 400'000;  ///< of grass or gravel; each is one POV-Ray object

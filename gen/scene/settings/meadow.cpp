@@ -74,38 +74,38 @@ SettingRow meadow_setting() {
   return setting_row<Meadow>(
       "meadow", "grass under a summer sky", "meadow", "Sky and grass, for meadow",
       {"/meadow", "/floor/relief", "/floor/scale", "/snow", "/rain", "/far", "/year"},
-      [](const Stage&) { return Extent{.sown = kLawnSown}; },
-      [](const Stage& stage, const Film&) { return check_grass(stage.block<Meadow>().lawn); },
-      [](const Stage& stage, const Film& film) {
+      [](const SceneSetup&) { return Extent{.sown = kLawnSown}; },
+      [](const SceneSetup& setup, const Film&) { return check_grass(setup.block<Meadow>().lawn); },
+      [](const SceneSetup& setup, const Film& film) {
         GroundSizeEstimate ground{.triangles = 48'180};
-        estimate_grass(stage.block<Meadow>().lawn, film, ground);
+        estimate_grass(setup.block<Meadow>().lawn, film, ground);
         return ground;
       },
-      [](const Stage& stage, const Film& film, double reach, Seed seed) -> std::unique_ptr<Grounds> {
-        return std::make_unique<Lawn>(stage.floor, stage.block<Meadow>().lawn, film.quality, reach, seed);
+      [](const SceneSetup& setup, const Film& film, double reach, Seed seed) -> std::unique_ptr<Grounds> {
+        return std::make_unique<Lawn>(setup.floor, setup.block<Meadow>().lawn, film.quality, reach, seed);
       },
-      [](const Stage& stage) {
-        const auto& meadow = stage.block<Meadow>();
-        return daylight(meadow_sky(stage), meadow.grass, linear(meadow.grass), meadow.haze);
+      [](const SceneSetup& setup) {
+        const auto& meadow = setup.block<Meadow>();
+        return daylight(meadow_sky(setup), meadow.grass, linear(meadow.grass), meadow.haze);
       },
-      [](Stage& stage) {
-        std::optional<Animated<double>>& hour = stage.block<Meadow>().hour;
+      [](SceneSetup& setup) {
+        std::optional<Animated<double>>& hour = setup.block<Meadow>().hour;
         return hour ? &*hour : nullptr;
       });
 }
 
-Sky sky_over(const Stage& stage, Vec3 sun, double exposure) {
-  const auto& meadow = stage.block<Meadow>();
+Sky sky_over(const SceneSetup& setup, Vec3 sun, double exposure) {
+  const auto& meadow = setup.block<Meadow>();
   auto light = [](const std::optional<Color>& c) { return c ? std::optional(linear(*c)) : std::nullopt; };
   return Sky({sun, meadow.turbidity, meadow.clouds, exposure, light(meadow.zenith), light(meadow.horizon),
-              meadow.moon, overcast(stage)});
+              meadow.moon, overcast(setup)});
 }
 
-Sky meadow_sky(const Stage& stage) {
-  const auto& meadow = stage.block<Meadow>();
+Sky meadow_sky(const SceneSetup& setup) {
+  const auto& meadow = setup.block<Meadow>();
   Moment when = meadow.when;
   if (meadow.hour) when.hour = meadow.hour->at(0);
-  return sky_over(stage, meadow.hour ? sun_at(when) : meadow.sun, stage.camera.stops());
+  return sky_over(setup, meadow.hour ? sun_at(when) : meadow.sun, setup.camera.stops());
 }
 
 }  // namespace frond

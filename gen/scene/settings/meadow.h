@@ -4,8 +4,8 @@
 
 #include "land/mountain.h"
 #include "settings/lawn.h"
+#include "settings/scene_setup.h"
 #include "settings/sky.h"
-#include "settings/stage.h"
 
 namespace frond {
 
@@ -24,12 +24,12 @@ struct Meadow {
   LawnShape lawn;
 };
 
-/// The sky of a stage's meadow with that sun, overcast where it rains at the beginning.
-Sky sky_over(const Stage& stage, Vec3 sun, double exposure);
+/// The sky of a scene's meadow with that sun, overcast where it rains at the beginning.
+Sky sky_over(const SceneSetup& setup, Vec3 sun, double exposure);
 
 /// The sky of each setting that has one, as the camera exposes it.
-Sky meadow_sky(const Stage& stage);
-Sky garden_sky(const Stage& stage);
-Sky forest_sky(const Stage& stage);
+Sky meadow_sky(const SceneSetup& setup);
+Sky garden_sky(const SceneSetup& setup);
+Sky forest_sky(const SceneSetup& setup);
 
 }  // namespace frond

@@ -19,8 +19,8 @@
 #include "land/sow.h"
 #include "model/bytes.h"
 #include "preset/keys.h"
+#include "settings/scene_setup.h"
 #include "settings/sky.h"
-#include "settings/stage.h"
 #include "world/specimen.h"
 
 // Settings
@@ -216,14 +216,14 @@ std::function<double(Vec2)> clear_of(const Plot& plot);
 struct SettingAnswers {
   /// The properties of the scene that it reads: "/meadow" a whole block, "/meadow/haze" one of it.
   std::vector<std::string_view> reads;
-  Extent (*extent)(const Stage&);
+  Extent (*extent)(const SceneSetup&);
   /// Errors that show only after reading everything; each `where` is a JSON pointer below the scene.
-  Errors (*check)(const Stage&, const Film&);
-  GroundSizeEstimate (*estimate_size)(const Stage&, const Film&);
+  Errors (*find_faults)(const SceneSetup&, const Film&);
+  GroundSizeEstimate (*estimate_size)(const SceneSetup&, const Film&);
   /// Makes the ground, larger than `reach` metres from the middle.
-  std::unique_ptr<Grounds> (*lay)(const Stage&, const Film&, double reach, Seed);
-  Daylight (*daylight)(const Stage&);
-  Animated<double>* (*hour)(Stage&);  ///< of the day; null where it says nothing
+  std::unique_ptr<Grounds> (*lay)(const SceneSetup&, const Film&, double reach, Seed);
+  Daylight (*daylight)(const SceneSetup&);
+  Animated<double>* (*hour)(SceneSetup&);  ///< of the day; null where it says nothing
 };
 
 /// A row of the table of settings.
@@ -241,7 +241,8 @@ struct SettingRow {
 template <class Block>
 SettingRow setting_row(std::string_view name, std::string_view doc, std::string_view block,
                        std::string_view block_doc, std::vector<std::string_view> reads,
-                       decltype(SettingAnswers::extent) extent, decltype(SettingAnswers::check) check,
+                       decltype(SettingAnswers::extent) extent,
+                       decltype(SettingAnswers::find_faults) find_faults,
                        decltype(SettingAnswers::estimate_size) estimate_size,
                        decltype(SettingAnswers::lay) lay, decltype(SettingAnswers::daylight) daylight,
                        decltype(SettingAnswers::hour) hour = nullptr) {
@@ -261,7 +262,7 @@ SettingRow setting_row(std::string_view name, std::string_view doc, std::string_
             return schema_json(sample);
           },
           [](const std::any& held) { return keys_of(std::any_cast<Block>(held)); },
-          {std::move(reads), extent, check, estimate_size, lay, daylight, hour}};
+          {std::move(reads), extent, find_faults, estimate_size, lay, daylight, hour}};
 }
 
 }  // namespace frond

@@ -34,24 +34,24 @@ double Snow::deepest() const { return highest(depth); }
 
 namespace {
 
-bool reads(const Stage& stage, std::string_view pointer) {
-  const auto& all = settings()[stage.setting].answers.reads;
+bool reads(const SceneSetup& setup, std::string_view pointer) {
+  const auto& all = settings()[setup.setting].answers.reads;
   return std::ranges::find(all, pointer) != all.end();
 }
 
 }  // namespace
 
-bool is_snowy(const Stage& stage) {
+bool is_snowy(const SceneSetup& setup) {
   auto some = [](const Animated<double>& a) {
     return std::ranges::any_of(a.keys(), [](const auto& key) { return key.value > 0; });
   };
-  return (some(stage.snow.depth) || some(stage.snow.frost) || some(stage.snow.falling)) &&
-         reads(stage, "/snow");
+  return (some(setup.snow.depth) || some(setup.snow.frost) || some(setup.snow.falling)) &&
+         reads(setup, "/snow");
 }
 
-bool is_rainy(const Stage& stage) { return stage.rain && reads(stage, "/rain"); }
+bool is_rainy(const SceneSetup& setup) { return setup.rain && reads(setup, "/rain"); }
 
-Stage::Stage() {
+SceneSetup::SceneSetup() {
   for (const SettingRow& row : settings()) blocks.push_back(row.initial);
 }
 
@@ -149,7 +149,7 @@ constexpr double kMeteredSnow = 0.8;  // stops by which a light meter turns down
 namespace {
 
 /// Rain and snow fall from an overcast sky, and their drops and flakes are a part of the haze.
-void cloud_over(Stage& now) {
+void cloud_over(SceneSetup& now) {
   auto& meadow = now.block<Meadow>();
   meadow.clouds = std::lerp(meadow.clouds, 1.0, overcast(now));
   double lost = is_rainy(now) ? rain_extinction(now.rain->rate.at(0)) : 0;
@@ -159,48 +159,48 @@ void cloud_over(Stage& now) {
 
 }  // namespace
 
-Stage stage_at(const Stage& stage, double time) {
-  Stage now = stage;
-  if (auto hour_of = settings()[stage.setting].answers.hour)
+SceneSetup setup_at(const SceneSetup& setup, double time) {
+  SceneSetup now = setup;
+  if (auto hour_of = settings()[setup.setting].answers.hour)
     if (Animated<double>* hour = hour_of(now)) *hour = hour->at(time);
-  now.snow.depth = stage.snow.depth.at(time);
-  now.snow.frost = stage.snow.frost.at(time);
-  now.snow.falling = stage.snow.falling.at(time);
+  now.snow.depth = setup.snow.depth.at(time);
+  now.snow.frost = setup.snow.frost.at(time);
+  now.snow.falling = setup.snow.falling.at(time);
   if (now.year) now.year = now.year->at(time);
   if (now.closed) now.closed = now.closed->at(time);
   now.camera.exposure -= kMeteredSnow * snow_cover(now);
-  if (is_rainy(stage))
-    now.rain = {stage.rain->rate.at(time), stage.rain->fallen.at(time), stage.rain->mist.at(time)};
+  if (is_rainy(setup))
+    now.rain = {setup.rain->rate.at(time), setup.rain->fallen.at(time), setup.rain->mist.at(time)};
   if (overcast(now) > 0) cloud_over(now);
   return now;
 }
 
-bool sun_moves(const Stage& stage) {
-  Stage copy = stage;
-  auto hour_of = settings()[stage.setting].answers.hour;
+bool sun_moves(const SceneSetup& setup) {
+  SceneSetup copy = setup;
+  auto hour_of = settings()[setup.setting].answers.hour;
   Animated<double>* hour = hour_of ? hour_of(copy) : nullptr;
-  return (hour && !hour->constant()) || (is_rainy(stage) && !stage.rain->rate.constant()) ||
-         (is_snowy(stage) && !stage.snow.falling.constant());
+  return (hour && !hour->constant()) || (is_rainy(setup) && !setup.rain->rate.constant()) ||
+         (is_snowy(setup) && !setup.snow.falling.constant());
 }
 
-double overcast(const Stage& stage) {
-  return std::max(is_rainy(stage) ? rain_clouds(stage.rain->rate.at(0)) : 0,
-                  is_snowy(stage) ? snow_clouds(stage.snow.falling.at(0)) : 0);
+double overcast(const SceneSetup& setup) {
+  return std::max(is_rainy(setup) ? rain_clouds(setup.rain->rate.at(0)) : 0,
+                  is_snowy(setup) ? snow_clouds(setup.snow.falling.at(0)) : 0);
 }
 
-double snow_cover(const Stage& stage) {
-  return is_snowy(stage) ? smooth_step(0.0, 0.05, stage.snow.depth.at(0)) : 0;
+double snow_cover(const SceneSetup& setup) {
+  return is_snowy(setup) ? smooth_step(0.0, 0.05, setup.snow.depth.at(0)) : 0;
 }
 
-double wet_share(const Stage& stage) { return is_rainy(stage) ? wetness(stage.rain->fallen.at(0)) : 0; }
+double wet_share(const SceneSetup& setup) { return is_rainy(setup) ? wetness(setup.rain->fallen.at(0)) : 0; }
 
-Daylight drawn_daylight(const Stage& stage) {
+Daylight drawn_daylight(const SceneSetup& setup) {
   constexpr float kAlbedo = 0.82f;  // of fresh snow with what stands in it
   constexpr float kWet = 0.65f;     // of what land throws back, when it is wet
-  Daylight light = settings()[stage.setting].answers.daylight(stage);
-  if (auto wet = static_cast<float>(wet_share(stage)); wet > 0)
+  Daylight light = settings()[setup.setting].answers.daylight(setup);
+  if (auto wet = static_cast<float>(wet_share(setup)); wet > 0)
     light.thrown_back *= 1 - wet * (1 - kWet), light.below *= 1 - wet * (1 - kWet);
-  if (auto cover = static_cast<float>(snow_cover(stage)); cover > 0) {
+  if (auto cover = static_cast<float>(snow_cover(setup)); cover > 0) {
     light.thrown_back = glm::mix(light.thrown_back, Vec3(kAlbedo), cover);
     light.below =
         light.thrown_back * (0.5f * light.sunlight * light.sun.y + 0.4f * (light.above + light.aside));
@@ -209,17 +209,17 @@ Daylight drawn_daylight(const Stage& stage) {
   return light;
 }
 
-Vec2 shaded_side(Stage stage) {
+Vec2 shaded_side(SceneSetup setup) {
   constexpr double kNoon = 13;  // of summer time
-  if (auto hour_of = settings()[stage.setting].answers.hour)
-    if (Animated<double>* hour = hour_of(stage)) *hour = kNoon;
-  Vec3 sun = settings()[stage.setting].answers.daylight(stage).sun;
+  if (auto hour_of = settings()[setup.setting].answers.hour)
+    if (Animated<double>* hour = hour_of(setup)) *hour = kNoon;
+  Vec3 sun = settings()[setup.setting].answers.daylight(setup).sun;
   return {-sun.x, -sun.z};
 }
 
-Daylight daylight_of(Stage stage) {
-  stage.camera.highlights = 0;
-  return drawn_daylight(stage);
+Daylight daylight_of(SceneSetup setup) {
+  setup.camera.highlights = 0;
+  return drawn_daylight(setup);
 }
 
 }  // namespace frond

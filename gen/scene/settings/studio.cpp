@@ -106,13 +106,13 @@ std::vector<std::string> StudioFloor::remarks(const std::function<std::vector<Oc
 SettingRow studio_setting() {
   return setting_row<Studio>(
       "studio", "soft light before a plain wall", "studio", "Wall and light, for studio", {"/studio"},
-      [](const Stage& stage) { return Extent{.sown = sown_size(stage.block<Studio>().distance)}; },
-      [](const Stage&, const Film&) { return Errors{}; },
-      [](const Stage&, const Film&) { return GroundSizeEstimate{}; },
-      [](const Stage& stage, const Film&, double, Seed) -> std::unique_ptr<Grounds> {
-        return std::make_unique<StudioFloor>(stage.block<Studio>());
+      [](const SceneSetup& setup) { return Extent{.sown = sown_size(setup.block<Studio>().distance)}; },
+      [](const SceneSetup&, const Film&) { return Errors{}; },
+      [](const SceneSetup&, const Film&) { return GroundSizeEstimate{}; },
+      [](const SceneSetup& setup, const Film&, double, Seed) -> std::unique_ptr<Grounds> {
+        return std::make_unique<StudioFloor>(setup.block<Studio>());
       },
-      [](const Stage& stage) { return studio_light(stage.block<Studio>(), stage.camera.stops()); });
+      [](const SceneSetup& setup) { return studio_light(setup.block<Studio>(), setup.camera.stops()); });
 }
 
 }  // namespace frond

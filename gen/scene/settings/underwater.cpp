@@ -140,17 +140,17 @@ Land SeaFloor::land(std::vector<Spot> taken) const { return sloping_land(kSownSi
 SettingRow underwater_setting() {
   return setting_row<Water>(
       "underwater", "a sea floor in blue water", "water", "The water, for underwater", {"/water", "/floor"},
-      [](const Stage&) { return Extent{.sown = kSownSize, .rocks = true}; },
-      [](const Stage&, const Film&) { return Errors{}; },
-      [](const Stage& stage, const Film& film) {
+      [](const SceneSetup&) { return Extent{.sown = kSownSize, .rocks = true}; },
+      [](const SceneSetup&, const Film&) { return Errors{}; },
+      [](const SceneSetup& setup, const Film& film) {
         double stones = film.quality == Quality::best ? 102'400 : 25'600;
-        double caustics = stage.block<Water>().caustics > 0 ? caustic_pixels(film.quality) : 0;
-        return GroundSizeEstimate{14'280 + stones, 0, 1.6 * stage.floor.stones, caustics * caustics};
+        double caustics = setup.block<Water>().caustics > 0 ? caustic_pixels(film.quality) : 0;
+        return GroundSizeEstimate{14'280 + stones, 0, 1.6 * setup.floor.stones, caustics * caustics};
       },
-      [](const Stage& stage, const Film& film, double reach, Seed seed) -> std::unique_ptr<Grounds> {
-        return std::make_unique<SeaFloor>(stage.floor, film.quality, reach, seed);
+      [](const SceneSetup& setup, const Film& film, double reach, Seed seed) -> std::unique_ptr<Grounds> {
+        return std::make_unique<SeaFloor>(setup.floor, film.quality, reach, seed);
       },
-      [](const Stage& stage) { return water_light(stage.block<Water>()); });
+      [](const SceneSetup& setup) { return water_light(setup.block<Water>()); });
 }
 
 }  // namespace frond

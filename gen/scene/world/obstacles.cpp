@@ -50,7 +50,7 @@ bool Obstacles::near(const Bounds& box) const {
 
 std::optional<Vec3> Obstacles::way(Vec3 from, Vec3 to, float clearance) const {
   Bounds box;
-  box.take(from, clearance), box.take(to, clearance);
+  box.extend(from, clearance), box.extend(to, clearance);
   if (!near(box)) return to;
   DVec3 start(from), end(to);
   double length = glm::distance(start, end);

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "dress/dress.h"
+#include "appearance/appearance.h"
 #include "pruning/edits.h"
 
 namespace frond {

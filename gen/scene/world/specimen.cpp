@@ -98,7 +98,7 @@ Surface skin_of(const Model& model) {
   return skin;
 }
 
-void take_wind(Specimen& specimen, std::shared_ptr<const WindField> wind) {
+void set_wind(Specimen& specimen, std::shared_ptr<const WindField> wind) {
   Motion& motion = specimen.motion;
   motion.sway = std::make_shared<const Sway>(
       sway_of(specimen.model, motion.wood.value_or(SwayWood{}), std::move(wind)));
@@ -116,7 +116,7 @@ Result<std::shared_ptr<const Specimen>> developed(const Specimen& specimen, doub
     if (life.ground) ground = [&](double x, double z) { return (*life.ground)(x, z); };
     in_season(now.model.organs, now.model.prototypes, *life.season, time, life.season_seed, ground);
   }
-  if (const auto& sway = specimen.motion.sway) take_wind(now, sway->wind);
+  if (const auto& sway = specimen.motion.sway) set_wind(now, sway->wind);
   return std::make_shared<const Specimen>(std::move(now));
 }
 
@@ -157,8 +157,8 @@ std::vector<Vec3> fallen_nodes(const Specimen& specimen) {
   return pose.position;
 }
 
-std::string Specimen::check() const {
-  if (std::string fault = model.check(); !fault.empty()) return fault;
+std::string Specimen::find_fault() const {
+  if (std::string fault = model.find_fault(); !fault.empty()) return fault;
   if (!std::isfinite(brightness) || brightness <= 0) return "its brightness is no factor";
   if (model.skeleton.size() > 1 && style.voxel <= 0) return "its style has no voxel";
   if (look.branches.skin && look.branches.bark) return "its branches have both a skin and a bark";

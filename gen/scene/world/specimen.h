@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
+#include "appearance/appearance.h"
 #include "core/result.h"
 #include "creeping/crawl.h"
 #include "creeping/swing_paths.h"
-#include "dress/dress.h"
 #include "land/ground.h"
 #include "model/model.h"
 #include "motion/fall.h"
@@ -75,7 +75,7 @@ struct Specimen : Traits {
   Model model;  ///< at its place in the world, fully grown, at rest
 
   /// Checks all invariants: one line for the first violation, empty if there is none.
-  std::string check() const;
+  std::string find_fault() const;
 };
 
 /// Approximate memory, bytes; shared parts count fully.
@@ -91,7 +91,7 @@ Surface skin_of(const Model& model);
 void edit_specimen(Specimen& specimen, std::span<const Edit> edits);
 
 /// Lets it sway in a wind, by its wood and leaves.
-void take_wind(Specimen& specimen, std::shared_ptr<const WindField> wind);
+void set_wind(Specimen& specimen, std::shared_ptr<const WindField> wind);
 
 /// The specimen at a time, with life and season applied; itself, not a copy, where it does not change.
 Result<std::shared_ptr<const Specimen>> developed(const Specimen& specimen, double time);

@@ -47,7 +47,7 @@ class World {
   std::span<const Specimen> standing() const { return standing_; }
   /// Adds the results of one more stage, which may change later answers. Not thread-safe.
   void add(std::vector<Specimen> grown);
-  std::vector<Specimen> take_all() && { return std::move(standing_); }
+  std::vector<Specimen> release() && { return std::move(standing_); }
 
   /// Objects on the ground that are no specimens: loose stones, rocks under corals.
   void lay(Surface stones) { stones_ = std::move(stones); }

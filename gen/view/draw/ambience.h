@@ -12,7 +12,7 @@ namespace frond {
 inline constexpr double kLightErrorBound = 4;
 
 /// Whether light comes from all around in a setting, and not from lamps alone.
-bool has_soft_light(const Stage& stage);
+bool has_soft_light(const SceneSetup& setup);
 
 /// What shines on a scene from all around at a time; none where there are lamps.
 std::optional<Ambience> ambience_of(const Scene& scene, double time);

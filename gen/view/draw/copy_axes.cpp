@@ -50,17 +50,17 @@ Vec2 blown(const WindField& wind, const CopySway& sway, Vec3 at, double time) {
 
 }  // namespace
 
-bool sways(const SownStand& stand, const Film& film) {
-  return (stand.dress.motion.wave.amplitude > 0 || stand.wind) && film.frames > 1;
+bool sways(const CopySet& set, const Film& film) {
+  return (set.appearance.motion.wave.amplitude > 0 || set.wind) && film.frames > 1;
 }
 
-glm::mat3 copy_axes(const SownStand& stand, const Film& film, std::size_t i, double time) {
-  glm::mat3 axes = glm::mat3_cast(stand.copies.turn_at(i, time));
-  if (!sways(stand, film)) return axes;
-  Vec3 foot = stand.copies.foot[i];
-  const Motion& motion = stand.dress.motion;
-  Vec2 lean = stand.wind ? blown(*stand.wind, motion.wood ? kTree : kHerb, foot, time)
-                         : bent(motion.wave, film.length(), foot, time);
+glm::mat3 copy_axes(const CopySet& set, const Film& film, std::size_t i, double time) {
+  glm::mat3 axes = glm::mat3_cast(set.copies.turn_at(i, time));
+  if (!sways(set, film)) return axes;
+  Vec3 foot = set.copies.foot[i];
+  const Motion& motion = set.appearance.motion;
+  Vec2 lean = set.wind ? blown(*set.wind, motion.wood ? kTree : kHerb, foot, time)
+                       : bent(motion.wave, film.length(), foot, time);
   for (int axis = 0; axis < 3; ++axis) axes[axis] += Vec3(lean.x, 0, lean.y) * axes[axis].y;
   return axes;
 }

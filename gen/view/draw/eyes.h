@@ -9,7 +9,7 @@ namespace frond {
 
 /// What the camera sees at a time.
 Eye eye_at(const Film& film, const Camera& camera, double time);
-inline Eye eye_at(const Scene& scene, double time) { return eye_at(scene.film, scene.stage.camera, time); }
+inline Eye eye_at(const Scene& scene, double time) { return eye_at(scene.film, scene.setup.camera, time); }
 
 /// By how much the samples of a frame lie aside of the middles of their pixels, to the right and down;
 /// pixels, -0.5..0.5. Those of successive frames are spread evenly (Halton). 0 where the film is not raw, or
@@ -18,7 +18,7 @@ Vec2 sample_shift(const Film& film, int frame);
 
 /// What the camera sees at each frame of the film.
 std::vector<Eye> eyes(const Film& film, const Camera& camera);
-inline std::vector<Eye> eyes(const Scene& scene) { return eyes(scene.film, scene.stage.camera); }
+inline std::vector<Eye> eyes(const Scene& scene) { return eyes(scene.film, scene.setup.camera); }
 
 /// What the camera sees at the frames of the film, without those that are like the one before.
 std::vector<Eye> different_eyes(const Scene& scene);

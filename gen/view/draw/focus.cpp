@@ -57,12 +57,12 @@ struct FocusMiddle {
 
 /// What stands in the named stand: balls in the room of its copies, of which the one nearest to the axis
 /// counts.
-std::optional<float> depth_of_copies(const SownStand& stand, const Lens& lens, double time) {
+std::optional<float> depth_of_copies(const CopySet& set, const Lens& lens, double time) {
   float nearest = kNoDepth, depth = kNoDepth;
-  for (std::size_t i = 0; i < stand.copies.size(); ++i) {
-    if (!stand.copies.there(i, time)) continue;
-    float half = 0.5f * stand.copies.scale_at(i, time).y * static_cast<float>(stand.tallest());
-    Vec3 seen = lens.seen(stand.copies.foot[i] + stand.copies.turn_at(i, time) * Vec3(0, half, 0));
+  for (std::size_t i = 0; i < set.copies.size(); ++i) {
+    if (!set.copies.there(i, time)) continue;
+    float half = 0.5f * set.copies.scale_at(i, time).y * static_cast<float>(set.tallest());
+    Vec3 seen = lens.seen(set.copies.foot[i] + set.copies.turn_at(i, time) * Vec3(0, half, 0));
     if (seen.z < kBeforeLens) continue;
     float off = std::hypot(seen.x * lens.wide, seen.y * lens.high);
     if (off < nearest) nearest = off, depth = seen.z;
@@ -98,7 +98,7 @@ std::optional<float> depth_of(const std::vector<std::unique_ptr<DrawList>>& all_
 }  // namespace
 
 std::optional<Vec3> named_focus(const Scene& scene, double time) {
-  const Camera& camera = scene.stage.camera;
+  const Camera& camera = scene.setup.camera;
   if (!camera.aperture || !camera.focus || camera.focus->organism.empty()) return std::nullopt;
   const std::string& name = camera.focus->organism;
   Lens lens = lens_at(camera, time, scene.film.aspect());
@@ -112,8 +112,8 @@ std::optional<Vec3> named_focus(const Scene& scene, double time) {
     drawn.push_back(std::make_unique<DrawList>(**now, time));
   }
   std::optional<float> depth = drawn.empty() ? std::nullopt : depth_of(drawn, lens);
-  for (const SownStand& stand : scene.stands)
-    if (!depth && stand.organism.name == name) depth = depth_of_copies(stand, lens, time);
+  for (const CopySet& set : scene.copy_sets)
+    if (!depth && set.organism.name == name) depth = depth_of_copies(set, lens, time);
   if (!depth) return std::nullopt;
   return lens.at + *depth * lens.toward;
 }

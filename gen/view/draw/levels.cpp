@@ -35,7 +35,7 @@ bool moves(const Camera& camera, double length) {
   return false;
 }
 
-auto order(const ModelFile& f) { return std::tuple(f.stand, f.model, f.level, f.block); }
+auto order(const ModelFile& f) { return std::tuple(f.copy_set, f.model, f.level, f.block); }
 
 }  // namespace
 
@@ -44,8 +44,8 @@ std::string model_file_name(const Organism& organism, int model, int level, int 
                      block == ModelFile::kWhole ? "" : fmt::format("_{}", block));
 }
 
-const ModelFile& CopyPlan::file(std::size_t stand, int model, const Drawn& one) const {
-  auto wanted = std::tuple(stand, model, static_cast<int>(one.level), static_cast<int>(one.block));
+const ModelFile& CopyPlan::file(std::size_t copy_set, int model, const Drawn& one) const {
+  auto wanted = std::tuple(copy_set, model, static_cast<int>(one.level), static_cast<int>(one.block));
   return *std::lower_bound(files.begin(), files.end(), wanted,
                            [](const ModelFile& f, const auto& key) { return order(f) < key; });
 }
@@ -58,7 +58,7 @@ ModelBlocks blocks_of(const std::vector<Surfel>& surfels) {
 
 Views::Views(const Scene& scene) : scene_(scene), coarse_(coarseness(scene.film.quality)) {
   const Film& film = scene.film;
-  bool one = !moves(scene.stage.camera, film.length());
+  bool one = !moves(scene.setup.camera, film.length());
   groups_ = one ? 1 : kGroups;
   stretch_ = one ? film.frames : kHeld / kGroups;
   stretches_ = static_cast<std::size_t>((film.frames + stretch_ - 1) / stretch_);
@@ -71,7 +71,7 @@ Views::Views(const Scene& scene) : scene_(scene), coarse_(coarseness(scene.film.
       eyes.push_back(eye_at(scene, film.time(std::clamp(frame, 1, film.frames))));
   }
   constexpr int kSuns = 12;
-  for (int k = 0, last = sun_moves(scene.stage) ? kSuns : 0; k <= last; ++k)
+  for (int k = 0, last = sun_moves(scene.setup) ? kSuns : 0; k <= last; ++k)
     if (auto ambience = ambience_of(scene, film.length() * k / kSuns);
         ambience && ambience->sunlight != Vec3(0))
       suns_.push_back(ambience->sun);
@@ -97,7 +97,7 @@ bool Views::shades(const std::vector<Eye>& eyes, Vec3 from, float radius) const 
 std::vector<int> Views::levels_of(const std::vector<Eye>& eyes, const ModelBlocks& blocks, Vec3 foot,
                                   Quat turn, float scale) const {
   Bounds box;
-  for (int b = 0; b < blocks.count(); ++b) box.take(blocks.middle(b));
+  for (int b = 0; b < blocks.count(); ++b) box.extend(blocks.middle(b));
   float around = scale * (glm::distance(box.low, box.middle()) + blocks.radius());
   float radius = scale * blocks.radius();
   std::vector<int> level(static_cast<std::size_t>(blocks.count()), kLevelCount);
@@ -129,9 +129,9 @@ std::vector<int> Views::levels_of(const std::vector<Eye>& eyes, const ModelBlock
 }
 
 /// The blocks of copies whose levels may change after the stretch `last`, as they are drawn until then.
-std::vector<Drawn> Views::drawn(std::size_t last, const SownStand& stand, int model,
+std::vector<Drawn> Views::drawn(std::size_t last, const CopySet& set, int model,
                                 const ModelBlocks& blocks) const {
-  const Copies& copies = stand.copies;
+  const Copies& copies = set.copies;
   // For a copy that falls, the finest of its levels as it stands, is half way down and lies.
   auto levels_at = [&](std::size_t i) {
     if (copies.span.empty())
@@ -165,8 +165,8 @@ std::vector<Drawn> Views::drawn(std::size_t last, const SownStand& stand, int mo
   return joined(each);
 }
 
-ModelPlan Views::plan(std::size_t stand, int model, const std::vector<Surfel>& surfels) const {
-  const SownStand& sown = scene_.stands[stand];
+ModelPlan Views::plan(std::size_t copy_set, int model, const std::vector<Surfel>& surfels) const {
+  const CopySet& sown = scene_.copy_sets[copy_set];
   ModelBlocks blocks = blocks_of(surfels);
   ModelPlan result;
   result.drawn.resize(stretches_);
@@ -184,7 +184,7 @@ ModelPlan Views::plan(std::size_t stand, int model, const std::vector<Surfel>& s
     std::string name = model_file_name(sown.organism, model, level, block,
                                        copy_seasons(sown.organism, scene_.film).has_value());
     int from = joined && level == kWholeFrom && block == ModelFile::kWhole ? blocks.count() : 0;
-    result.files.push_back({stand, model, level, block, from, std::move(name), {}});
+    result.files.push_back({copy_set, model, level, block, from, std::move(name), {}});
   }
   return result;
 }
@@ -192,14 +192,14 @@ ModelPlan Views::plan(std::size_t stand, int model, const std::vector<Surfel>& s
 CopyPlan Views::empty_plan() const {
   CopyPlan plan;
   plan.stretch = stretch_;
-  plan.drawn.assign(stretches_, std::vector<std::vector<Drawn>>(scene_.stands.size()));
-  plan.surfels.resize(scene_.stands.size());
+  plan.drawn.assign(stretches_, std::vector<std::vector<Drawn>>(scene_.copy_sets.size()));
+  plan.surfels.resize(scene_.copy_sets.size());
   return plan;
 }
 
-void Views::add(CopyPlan& plan, std::size_t stand, const ModelPlan& model) {
+void Views::add(CopyPlan& plan, std::size_t copy_set, const ModelPlan& model) {
   for (std::size_t k = 0; k < plan.drawn.size(); ++k) {
-    std::vector<Drawn>& all = plan.drawn[k][stand];
+    std::vector<Drawn>& all = plan.drawn[k][copy_set];
     all.insert(all.end(), model.drawn[k].begin(), model.drawn[k].end());
   }
   plan.files.insert(plan.files.end(), model.files.begin(), model.files.end());

@@ -16,11 +16,11 @@
 
 namespace frond {
 
-/// A file that declares one model of a stand, or a block of it, at one level of detail: its parts as mesh2,
-/// or as unions of those of its blocks, and a macro that gives each its texture for a tint. Its name says
-/// what is in it, so that one that is there is right.
+/// A file that declares one model of a copy set, or a block of it, at one level of detail: its parts as
+/// mesh2, or as unions of those of its blocks, and a macro that gives each its texture for a tint. Its name
+/// says what is in it, so that one that is there is right.
 struct ModelFile {
-  std::size_t stand = 0;
+  std::size_t copy_set = 0;
   int model = 0, level = 0;
   int block = kWhole;
   int blocks = 0;    ///< whose files, of the same level, it is put together from; 0: its meshes are its own
@@ -45,18 +45,18 @@ struct Drawn {
 /// pixel, so that nothing pops.
 struct CopyPlan {
   int stretch = 1;                                     ///< frames
-  std::vector<std::vector<std::vector<Drawn>>> drawn;  ///< of each stretch, of each stand
-  std::vector<ModelFile> files;                        ///< that are needed: by stand, model, level and block
-  std::vector<std::string> summaries;                  ///< names of the files that tell the same of models
-  Surfels surfels;                                     ///< of all models that stand
-  /// Models that the film sees grow or change their leaves, by stand and number: what is there of them is
+  std::vector<std::vector<std::vector<Drawn>>> drawn;  ///< of each stretch, of each copy set
+  std::vector<ModelFile> files;        ///< that are needed: by copy set, model, level and block
+  std::vector<std::string> summaries;  ///< names of the files that tell the same of models
+  Surfels surfels;                     ///< of all models that stand
+  /// Models that the film sees grow or change their leaves, by copy set and number: what is there of them is
   /// written in each frame. Of those that change their leaves it holds nothing else.
   std::map<std::pair<std::size_t, int>, std::shared_ptr<const Model>> growing;
 
   std::size_t stretch_of(int frame) const {
     return std::min(static_cast<std::size_t>((frame - 1) / stretch), drawn.size() - 1);
   }
-  const ModelFile& file(std::size_t stand, int model, const Drawn& one) const;
+  const ModelFile& file(std::size_t copy_set, int model, const Drawn& one) const;
 };
 
 /// What is drawn of the copies of one model in each stretch, and the files that are needed for that.
@@ -77,14 +77,13 @@ class Views {
 
   /// By how near each block of each copy comes to the camera, and whether it, or its shadow in the sun, is in
   /// view.
-  ModelPlan plan(std::size_t stand, int model, const std::vector<Surfel>& surfels) const;
+  ModelPlan plan(std::size_t copy_set, int model, const std::vector<Surfel>& surfels) const;
   /// A plan for no model yet. Models are added in their order.
   CopyPlan empty_plan() const;
-  static void add(CopyPlan& plan, std::size_t stand, const ModelPlan& model);
+  static void add(CopyPlan& plan, std::size_t copy_set, const ModelPlan& model);
 
  private:
-  std::vector<Drawn> drawn(std::size_t last, const SownStand& stand, int model,
-                           const ModelBlocks& blocks) const;
+  std::vector<Drawn> drawn(std::size_t last, const CopySet& set, int model, const ModelBlocks& blocks) const;
   std::vector<int> levels_of(const std::vector<Eye>& eyes, const ModelBlocks& blocks, Vec3 foot, Quat turn,
                              float scale) const;
   bool shades(const std::vector<Eye>& eyes, Vec3 from, float radius) const;

@@ -30,7 +30,7 @@ std::vector<SurfacePoint> spots_of(const Surface& skin, float apart) {
   }
   Darts darts(apart);
   for (const SurfacePoint& spot : all)
-    if (darts.take(spot.of(skin.position))) spots.push_back(spot);
+    if (darts.try_add(spot.of(skin.position))) spots.push_back(spot);
   return spots;
 }
 

@@ -74,8 +74,8 @@ double open_time(const Film& film, const Camera& camera) {
 }
 
 std::vector<Streak> rain_streaks(const Scene& scene, double time) {
-  if (!is_rainy(scene.stage)) return {};
-  double rate = scene.stage.rain->rate.at(time), most = highest(scene.stage.rain->rate);
+  if (!is_rainy(scene.setup)) return {};
+  double rate = scene.setup.rain->rate.at(time), most = highest(scene.setup.rain->rate);
   if (most <= 0) return {};
   Eye eye = eye_at(scene, time);
   Column column{eye,
@@ -84,7 +84,7 @@ std::vector<Streak> rain_streaks(const Scene& scene, double time) {
                 rate,
                 most,
                 time,
-                open_time(scene.film, scene.stage.camera),
+                open_time(scene.film, scene.setup.camera),
                 scene.film.loop(),
                 scene.overhead.get()};
   if (std::optional<WindField> field = wind_in(scene)) {

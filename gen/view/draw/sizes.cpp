@@ -33,17 +33,17 @@ double stem_of(const Skeleton& s, const Pose& pose, double height) {
 Bounds box_of(const DrawList& drawn) {
   Bounds box;
   for (std::size_t i = 0; i < drawn.pose.position.size(); ++i)
-    if (drawn.pose.radius[i] > 0) box.take(drawn.pose.position[i], drawn.pose.radius[i]);
-  auto take = [&box](const Surface& surface, const OrganPlace& place) {
-    for (const Vec3& p : surface.position) box.take(place.at + place.turn * (place.scale * p));
+    if (drawn.pose.radius[i] > 0) box.extend(drawn.pose.position[i], drawn.pose.radius[i]);
+  auto extend = [&box](const Surface& surface, const OrganPlace& place) {
+    for (const Vec3& p : surface.position) box.extend(place.at + place.turn * (place.scale * p));
   };
   for (const OrganGroup& group : drawn.organs.groups)
     for (const OrganPlace& place : drawn.organs.places(group))
-      for (const OrganPart& part : drawn.model.prototypes[group.prototype].parts) take(part.surface, place);
+      for (const OrganPart& part : drawn.model.prototypes[group.prototype].parts) extend(part.surface, place);
   for (const DrawnBlades& blades : drawn.blades)
-    for (const Vec3& p : blades.surface.position) box.take(p);
+    for (const Vec3& p : blades.surface.position) box.extend(p);
   for (const DrawnBody& body : drawn.bodies)
-    for (const OrganPlace& place : body.places) take(body.surface(), place);
+    for (const OrganPlace& place : body.places) extend(body.surface(), place);
   return box;
 }
 
@@ -69,14 +69,14 @@ Result<std::vector<GrownSize>> sizes_of(const Scene& scene, const Preset& preset
     size.width = std::max<double>({size.width, box.size().x, box.size().z});
     size.stem = std::max(size.stem, stem_of(drawn.model.skeleton, drawn.pose, height));
   }
-  for (const SownStand& stand : scene.stands) {
-    GrownSize& size = sizes[stand.entry];
-    size.count = stand.copies.size();
+  for (const CopySet& set : scene.copy_sets) {
+    GrownSize& size = sizes[set.entry];
+    size.count = set.copies.size();
     Vec3 scale(0);
-    for (std::size_t i = 0; i < stand.copies.size(); ++i)
-      if (stand.copies.there(i, time)) scale = glm::max(scale, stand.copies.scale_at(i, time));
-    size.height = static_cast<double>(scale.y) * stand.tallest();
-    size.width = 2.0 * static_cast<double>(std::max(scale.x, scale.z)) * stand.organism.sown->where.radius;
+    for (std::size_t i = 0; i < set.copies.size(); ++i)
+      if (set.copies.there(i, time)) scale = glm::max(scale, set.copies.scale_at(i, time));
+    size.height = static_cast<double>(scale.y) * set.tallest();
+    size.width = 2.0 * static_cast<double>(std::max(scale.x, scale.z)) * set.organism.sown->where.radius;
   }
   return sizes;
 }

@@ -118,7 +118,7 @@ struct Flurry {
 
   bool is_sheltered(Vec3 at, Vec3 velocity) const {
     return scene.overhead->shelters(at, velocity) ||
-           static_cast<double>(at.y) < scene.ground->heights()(at.x, at.z) + scene.stage.snow.depth.at(time);
+           static_cast<double>(at.y) < scene.ground->heights()(at.x, at.z) + scene.setup.snow.depth.at(time);
   }
 
   /// What of white stuff of a size, metres, that covers so much of its disc, is seen.
@@ -138,26 +138,26 @@ struct Flurry {
 };
 
 Flurry flurry_at(const Scene& scene, double time) {
-  const Stage& stage = scene.stage;
+  const SceneSetup& setup = scene.setup;
   Flurry flurry{scene,
                 eye_at(scene, time),
-                stage.snow.falling.at(time),
-                highest(stage.snow.falling),
+                setup.snow.falling.at(time),
+                highest(setup.snow.falling),
                 time,
-                open_time(scene.film, stage.camera),
+                open_time(scene.film, setup.camera),
                 scene.film.loop(),
                 kShowFlake,
                 1,
-                stage.camera.location.at(0),
+                setup.camera.location.at(0),
                 wind_in(scene).value_or(WindField{})};
-  flurry.focus = std::max<double>(1, glm::distance(stage.camera.look_at.at(time), flurry.eye.at));
+  flurry.focus = std::max<double>(1, glm::distance(setup.camera.look_at.at(time), flurry.eye.at));
   return flurry;
 }
 
 }  // namespace
 
 std::vector<Streak> snow_flakes(const Scene& scene, double time) {
-  if (!is_snowy(scene.stage) || highest(scene.stage.snow.falling) <= 0) return {};
+  if (!is_snowy(scene.setup) || highest(scene.setup.snow.falling) <= 0) return {};
   Flurry flurry = flurry_at(scene, time);
   flurry.least = least_pixels(flurry.eye, flurry.most);
   constexpr int kSide = 2 * kFarFlake + 3;

@@ -138,7 +138,7 @@ Surface drawn_floor(const Scene& scene) {
       return std::min(static_cast<std::uint32_t>((middle[axis] - box.low[axis]) / side[axis]), kTiles - 1);
     };
     tile.push_back(along(0) * kTiles + along(2));
-    for (std::uint32_t v : t) boxes[tile.back()].take(floor.position[v]);
+    for (std::uint32_t v : t) boxes[tile.back()].extend(floor.position[v]);
   }
   std::vector<Eye> all = different_eyes(scene);
   std::vector<double> error;
@@ -159,7 +159,7 @@ DrawnSolids drawn_solids(const Scene& scene) {
     std::vector<double> pixel(solids.shapes.size(), 1e30);
     for (std::size_t k = 0; k < solids.size(); ++k) {
       Bounds box;
-      for (const Vec3& p : solids.shapes[solids.shape[k]].surface.position) box.take(solids.placed(k, p));
+      for (const Vec3& p : solids.shapes[solids.shape[k]].surface.position) box.extend(solids.placed(k, p));
       double seen = nearest_pixel(all, box.middle(), glm::length(box.size()) / 2, kUnseenPixels);
       Vec3 scale = solids.scale[k];
       pixel[solids.shape[k]] = std::min(pixel[solids.shape[k]], seen / std::max({scale.x, scale.y, scale.z}));

@@ -21,7 +21,7 @@ struct Surfel {
   bool operator==(const Surfel&) const = default;
 };
 
-/// What models of stands are made of, for each stand those of each model; some may be empty.
+/// What models of copies are made of, for each copy set those of each model; some may be empty.
 using Surfels = std::vector<std::vector<std::vector<Surfel>>>;
 
 /// A model in surfels of about a twenty-fourth of its height.

@@ -101,7 +101,7 @@ ThingNames names_of(const Scene& scene, const Thing& thing) {
   ThingNames names;
   std::string_view kind = kKinds[static_cast<std::size_t>(thing.kind)];
   if (thing.kind == ThingKind::copy) {
-    names.entry = scene.stands[thing.owner].organism.name;
+    names.entry = scene.copy_sets[thing.owner].organism.name;
     names.organism = names.part = fmt::format("{}/copy {}", names.entry, thing.number + 1);
     return names;
   }

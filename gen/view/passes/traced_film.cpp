@@ -50,7 +50,7 @@ Surface ball() {
 struct TracedFilm::Parts {
   using Meshes = std::shared_ptr<const MeshGroup>;
 
-  /// One file of a model, by stand, model, level and block.
+  /// One file of a model, by copy set, model, level and block.
   using ModelKey = std::array<int, 4>;
 
   const Scene& scene;
@@ -68,9 +68,9 @@ struct TracedFilm::Parts {
   Errors prepare();
 
   /// The things of those specimens at a time, and what they refer to.
-  Result<std::vector<Placed>> draw(const std::vector<std::size_t>& specimens, double time,
-                                   std::vector<DrawnSpecimen>& drawn) const;
-  /// The copies of stands at a time.
+  Result<std::vector<Placed>> place(const std::vector<std::size_t>& specimens, double time,
+                                    std::vector<DrawnSpecimen>& drawn) const;
+  /// The copies at a time.
   std::vector<Placed> copies_at(double time) const;
   std::vector<Placed> food_at(double time) const;
 
@@ -172,27 +172,29 @@ Errors TracedFilm::Parts::add_models() {
   for (const auto& stretch : plan.drawn)
     for (std::size_t s = 0; s < stretch.size(); ++s)
       for (const Drawn& one : stretch[s])
-        wanted[{static_cast<int>(s), scene.stands[s].copies.model[one.copy]}].insert({one.level, one.block});
+        wanted[{static_cast<int>(s), scene.copy_sets[s].copies.model[one.copy]}].insert(
+            {one.level, one.block});
   std::vector<std::pair<std::pair<int, int>, std::set<std::pair<int, int>>>> each(wanted.begin(),
                                                                                   wanted.end());
   std::vector<Errors> errors(each.size());
   parallel_for(each.size(), [&](std::size_t i) {
-    auto [stand, number] = each[i].first;
-    const SownStand& of = scene.stands[static_cast<std::size_t>(stand)];
+    auto [set, number] = each[i].first;
+    const CopySet& of = scene.copy_sets[static_cast<std::size_t>(set)];
     Result<Model> model = grow_copy(of.organism, number);
     if (!model) return void(errors[i] = model.errors());
     ModelBlocks blocks =
-        blocks_of(plan.surfels[static_cast<std::size_t>(stand)][static_cast<std::size_t>(number)]);
+        blocks_of(plan.surfels[static_cast<std::size_t>(set)][static_cast<std::size_t>(number)]);
     int made = -1;
     std::vector<CopyPart> parts;
     for (auto [level, block] : each[i].second) {
-      if (made != level) parts = copy_parts(of.dress.look, *model, kLevels[level], &blocks), made = level;
+      if (made != level)
+        parts = copy_parts(of.appearance.look, *model, kLevels[level], &blocks), made = level;
       std::vector<Surface> surfaces;
       for (const CopyPart& part : parts)
         surfaces.push_back(block == ModelFile::kWhole ? part.surface : in_block(part, block));
       auto meshes = std::make_shared<const MeshGroup>(std::move(surfaces));
       std::lock_guard held(lock);
-      models[{stand, number, level, block}] = std::move(meshes);
+      models[{set, number, level, block}] = std::move(meshes);
     }
   });
   for (Errors& list : errors)
@@ -206,13 +208,13 @@ std::vector<Placed> TracedFilm::Parts::copies_at(double time) const {
   int frame = std::clamp(static_cast<int>(std::lround(time * scene.film.fps)) + 1, 1, scene.film.frames);
   const auto& drawn = plan.drawn[plan.stretch_of(frame)];
   for (std::size_t s = 0; s < drawn.size(); ++s) {
-    const Copies& copies = scene.stands[s].copies;
+    const Copies& copies = scene.copy_sets[s].copies;
     for (const Drawn& one : drawn[s]) {
       if (!copies.there(one.copy, time)) continue;
       Placed& thing = things.emplace_back();
       thing.thing = {ThingKind::copy, static_cast<std::uint32_t>(s), one.copy};
       thing.meshes = models.at({static_cast<int>(s), copies.model[one.copy], one.level, one.block});
-      thing.axes = copy_axes(scene.stands[s], scene.film, one.copy, time);
+      thing.axes = copy_axes(scene.copy_sets[s], scene.film, one.copy, time);
       Vec3 scale = copies.scale_at(one.copy, time);
       for (int axis = 0; axis < 3; ++axis) thing.axes[axis] *= scale[axis];
       thing.at = copies.foot[one.copy];
@@ -237,8 +239,8 @@ std::vector<Placed> TracedFilm::Parts::food_at(double time) const {
   return things;
 }
 
-Result<std::vector<Placed>> TracedFilm::Parts::draw(const std::vector<std::size_t>& specimens, double time,
-                                                    std::vector<DrawnSpecimen>& drawn) const {
+Result<std::vector<Placed>> TracedFilm::Parts::place(const std::vector<std::size_t>& specimens, double time,
+                                                     std::vector<DrawnSpecimen>& drawn) const {
   drawn.resize(specimens.size());
   std::vector<Result<std::vector<Placed>>> made(specimens.size(), std::vector<Placed>());
   parallel_for(specimens.size(), [&](std::size_t k) {
@@ -262,7 +264,7 @@ Errors TracedFilm::Parts::prepare() {
   std::vector<std::size_t> unmoved;
   for (std::size_t i = 0; i < scene.specimens.size(); ++i)
     (stands_still(scene.specimens[i]) ? unmoved : moving).push_back(i);
-  Result<std::vector<Placed>> things = draw(unmoved, 0, still);
+  Result<std::vector<Placed>> things = place(unmoved, 0, still);
   if (!things) return things.errors();
   add_ground(*things);
   always = PlacedScene(std::move(*things));
@@ -282,23 +284,23 @@ Result<TracedFilm> TracedFilm::of(const Scene& scene, CopyPlan plan) {
 Result<TracedFrame> TracedFilm::at(double time) const {
   const Scene& scene = parts_->scene;
   auto parts = std::make_unique<TracedFrame::Parts>();
-  Result<std::vector<Placed>> moving = parts_->draw(parts_->moving, time, parts->drawn);
+  Result<std::vector<Placed>> moving = parts_->place(parts_->moving, time, parts->drawn);
   if (!moving) return moving.errors();
   std::ranges::move(parts_->copies_at(time), std::back_inserter(*moving));
   std::ranges::move(parts_->food_at(time), std::back_inserter(*moving));
   parts->moving = PlacedScene(std::move(*moving));
   parts->still = &parts_->always;
-  Daylight light = drawn_daylight(stage_at(scene.stage, time));
+  Daylight light = drawn_daylight(setup_at(scene.setup, time));
   Eye eye = eye_at(scene, time);
   parts->light = light.sun;
   if (!light.lamps.empty()) {
-    Vec3 target = scene.stage.camera.look_at.at(time);
+    Vec3 target = scene.setup.camera.look_at.at(time);
     parts->is_lamp = true;
     parts->light = target + std::max(1.0f, glm::distance(eye.at, target)) * light.lamps.front().from;
   }
   TracedFrame frame(std::move(parts));
   frame.eye = eye;
-  const Camera& camera = scene.stage.camera;
+  const Camera& camera = scene.setup.camera;
   if (camera.aperture) {
     Vec3 focus = named_focus(scene, time).value_or(focus_of(camera, time));
     frame.lens = static_cast<float>(lens_width(camera, time));

@@ -41,7 +41,7 @@ enum class ThingKind : std::uint8_t {
 /// Something that is drawn, under the same name in all frames of a film.
 struct Thing {
   ThingKind kind = ThingKind::nothing;
-  std::uint32_t owner = 0;   ///< of a copy the stand, of a patch its kind, of what grows the specimen, else 0
+  std::uint32_t owner = 0;   ///< of a copy its set, of a patch its kind, of what grows the specimen, else 0
   std::uint32_t number = 0;  ///< among those of its kind: the organ's number in the model, a copy's, a
                              ///< stone's, a grain's, a patch's
 

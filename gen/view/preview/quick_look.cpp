@@ -180,23 +180,23 @@ void sample_others(const Sink& sink, const Scene& scene, double time) {
   SurfelSampler<Sink> to{sink};
   sample_strewn(sink, scene.ground->strewn());
   const Surface round = ball();
-  for (const SownStand& stand : scene.stands) {
-    Vec3 color = color_of(stand.dress.look);
-    auto wide = static_cast<float>(stand.organism.sown->where.radius),
-         tall = std::clamp(static_cast<float>(stand.tallest()), 0.3f * wide, 9 * wide);
+  for (const CopySet& set : scene.copy_sets) {
+    Vec3 color = color_of(set.appearance.look);
+    auto wide = static_cast<float>(set.organism.sown->where.radius),
+         tall = std::clamp(static_cast<float>(set.tallest()), 0.3f * wide, 9 * wide);
     float bare = tall > 3 * wide ? 0.3f * tall : 0;  // of a trunk
     Surface trunk;
     for (float turn : {0.0f, 2.1f, 4.2f})
       for (float up : {0.0f, bare})
         trunk.position.push_back(Vec3(0.012f * tall * std::cos(turn), up, 0.012f * tall * std::sin(turn)));
     trunk.triangle = {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 5}, {4, 5, 0}, {5, 0, 1}};
-    for (std::size_t i = 0; i < stand.copies.size(); ++i) {
-      if (!stand.copies.there(i, time)) continue;
-      Vec3 foot = stand.copies.foot[i], scale = stand.copies.scale_at(i, time);
-      Quat turn = stand.copies.turn_at(i, time);
+    for (std::size_t i = 0; i < set.copies.size(); ++i) {
+      if (!set.copies.there(i, time)) continue;
+      Vec3 foot = set.copies.foot[i], scale = set.copies.scale_at(i, time);
+      Quat turn = set.copies.turn_at(i, time);
       to.surface(round, color, true, foot + turn * Vec3(0, scale.y * 0.5f * (tall + bare), 0), turn,
                  scale * Vec3(wide, 0.5f * (tall - bare), wide));
-      if (bare > 0) to.surface(trunk, stand.dress.look.branches.albedo(), true, foot, turn, scale);
+      if (bare > 0) to.surface(trunk, set.appearance.look.branches.albedo(), true, foot, turn, scale);
     }
   }
 }
@@ -234,10 +234,10 @@ class FloorDepth {
       if (a.z >= kNear) kept[count++] = a;
       if ((a.z < kNear) != (b.z < kNear)) kept[count++] = glm::mix(a, b, (kNear - a.z) / (b.z - a.z));
     }
-    for (std::size_t c = 2; c < count; ++c) draw(kept[0], kept[c - 1], kept[c]);
+    for (std::size_t c = 2; c < count; ++c) fill(kept[0], kept[c - 1], kept[c]);
   }
 
-  void draw(Vec3 a, Vec3 b, Vec3 c) {
+  void fill(Vec3 a, Vec3 b, Vec3 c) {
     // A depth's inverse is linear on the picture.
     auto seen = [&](Vec3 p) {
       return Vec3(0.5f * (1 + p.x / (lens_.wide * p.z)) * static_cast<float>(width_),
@@ -271,13 +271,13 @@ class FloorDepth {
 ToSun sun_over(const Scene& scene, Vec3 toward, Pixels& pixels) {
   Bounds box;
   for (const Specimen& s : scene.specimens) {
-    box.take(bounds_of(s.model));
-    for (const Vec3& at : fallen_nodes(s)) box.take(at);
+    box.extend(bounds_of(s.model));
+    for (const Vec3& at : fallen_nodes(s)) box.extend(at);
   }
-  Vec3 eye = scene.stage.camera.location.at(0);
-  for (const SownStand& stand : scene.stands)
-    for (const Vec3& p : stand.copies.foot)
-      if (glm::distance(p, eye) < 80) box.take(p), box.take(p + Vec3(0, stand.tallest(), 0));
+  Vec3 eye = scene.setup.camera.location.at(0);
+  for (const CopySet& set : scene.copy_sets)
+    for (const Vec3& p : set.copies.foot)
+      if (glm::distance(p, eye) < 80) box.extend(p), box.extend(p + Vec3(0, set.tallest(), 0));
   if (box.empty()) box = {Vec3(-1), Vec3(1)};
   ToSun sun{{}, {}, toward, box.middle(), 0.5f * glm::length(box.size()) + 0.01f, pixels};
   sun.right = glm::normalize(glm::cross(reference_axis(toward), toward));
@@ -291,8 +291,8 @@ Raster quick_look(const Scene& scene, double time) { return quick_look(scene, ti
 
 Raster quick_look(const Scene& scene, double time, std::array<int, 2> size) {
   auto [width, height] = size;
-  Daylight light = daylight_of(stage_at(scene.stage, time));
-  Lens lens = lens_at(scene.stage.camera, time, static_cast<double>(height) / width);
+  Daylight light = daylight_of(setup_at(scene.setup, time));
+  Lens lens = lens_at(scene.setup.camera, time, static_cast<double>(height) / width);
   Pixels pixels(width, height), from_sun(kShadowSide, kShadowSide);
   ToSun sun = sun_over(scene, light.sun, from_sun);
   ToPicture picture_sink{lens, pixels};

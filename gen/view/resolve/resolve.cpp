@@ -120,7 +120,7 @@ Result<LightPicture> Resolver::frame(int number) {
   std::erase_if(traced_, [&](const auto& one) { return one.first < number || one.first > last; });
   Film sharp = scene_.film;  // as if each exposure were a scene of its own
   sharp.raw = false;
-  const Camera& camera = scene_.stage.camera;
+  const Camera& camera = scene_.setup.camera;
   int moments = exposures(sharp, camera);
   if (moments == 1) {
     Result<const TracedFrame*> now = traced(number);
@@ -168,9 +168,9 @@ void Resolver::add_rows(std::vector<std::vector<RawSample>>& rows, const Raw& ra
   });
 }
 
-Errors Resolver::still_in_bands(const RowSource& raw, int band, const RowTaker& take) {
+Errors Resolver::still_in_bands(const RowSource& raw, int band, const RowReceiver& receive) {
   constexpr int kAround = 8;  // rows beside a band in which samples lie that it takes
-  assert(scene_.film.frames == 1 && !scene_.stage.camera.aperture);
+  assert(scene_.film.frames == 1 && !scene_.setup.camera.aperture);
   Result<const TracedFrame*> found = traced(1);
   if (!found) return found.errors();
   const TracedFrame& now = **found;
@@ -184,7 +184,7 @@ Errors Resolver::still_in_bands(const RowSource& raw, int band, const RowTaker& 
     std::vector<std::vector<RawSample>> rows;
     add_rows(rows, *found_spots(1, now, std::move(*light), fine * around.first), now, 0);
     SampleGrid grid(width, height, around, rows);
-    if (Errors errors = take(gathered(grid, now, options_, own)); !errors.empty()) return errors;
+    if (Errors errors = receive(gathered(grid, now, options_, own)); !errors.empty()) return errors;
   }
   return {};
 }

@@ -54,10 +54,10 @@ class Resolver {
   /// Gives so many rows of the raw picture of a still, from one on.
   using RowSource = std::function<Result<LightPicture>(int first, int count)>;
   /// Takes the next rows of a picture.
-  using RowTaker = std::function<Errors(const LightPicture& rows)>;
+  using RowReceiver = std::function<Errors(const LightPicture& rows)>;
   /// The picture of a still without an aperture, the same, in bands of so many rows: no more of it is held.
   /// Rows of the raw one are asked for in order, some of them again in the next band.
-  Errors still_in_bands(const RowSource& raw, int band, const RowTaker& take);
+  Errors still_in_bands(const RowSource& raw, int band, const RowReceiver& receive);
 
  private:
   struct Raw;

@@ -144,10 +144,10 @@ Result<Model> grow_colonized_tree(const ColonizedParams& params, Seed seed, cons
   shape_branches(model.skeleton, params.along);
   if (detour) bend_round(model.skeleton, detour);
   if (params.leaf_reach > 0) {
-    std::vector<LeafSite> sites = dress_tips(model.skeleton, params.leaf_reach, params.leaf_spacing,
-                                             params.leaf_down, seed.child("sites"));
-    auto size = static_cast<float>(params.dress.leaves.size);
-    put_leaves(model, sites, params.dress, Vec3(size), seed.child("leaf"));
+    std::vector<LeafSite> sites = leaf_sites_near_tips(model.skeleton, params.leaf_reach, params.leaf_spacing,
+                                                       params.leaf_down, seed.child("sites"));
+    auto size = static_cast<float>(params.appearance.leaves.size);
+    put_leaves(model, sites, params.appearance, Vec3(size), seed.child("leaf"));
   }
   return model;
 }

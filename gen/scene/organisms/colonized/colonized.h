@@ -3,10 +3,10 @@
 #include <optional>
 #include <string>
 
+#include "appearance/appearance.h"
 #include "core/assets.h"
 #include "crown/along_parent.h"
 #include "crown/colonize.h"
-#include "dress/dress.h"
 #include "geometry/girth.h"
 #include "organisms/tree_guide.h"
 
@@ -39,7 +39,7 @@ struct ColonizedParams {
   double leaf_reach = 0.55;          ///< metres from a tip within which leaves grow; 0: no leaves
   double leaf_spacing = 0.035;       ///< metres from leaf to leaf
   double leaf_down = radians(55.0);  ///< between branch and leaf
-  TreeDress dress;
+  TreeAppearance appearance;
 };
 
 /// One tree, its foot at the origin, round what is in its way.

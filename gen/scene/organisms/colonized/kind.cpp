@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dress/describe.h"
-#include "dress/picture_bounds.h"
+#include "appearance/describe.h"
+#include "appearance/picture_bounds.h"
 #include "organisms/colonized/colonized.h"
 #include "organisms/describe_along.h"
 #include "organisms/kinds.h"
@@ -66,7 +66,7 @@ void describe(Properties& v, ColonizedParams& p) {
   v.number("leaf_spacing", p.leaf_spacing, {.min = 0.001, .max = 100, .unit = "m"},
            "Distance along a branch from leaf to leaf");
   v.angle("leaf_down", p.leaf_down, {.min = 0, .max = 180}, "Angle between a branch and its leaves");
-  describe(v, p.dress);
+  describe(v, p.appearance);
 }
 
 namespace {
@@ -81,13 +81,13 @@ class ColonizedGrower final : public Described<ColonizedParams, LoneGrower> {
   GrowerTraits traits() const override {
     return {.stage = GrowthStage::round_bodies,
             .branches = true,
-            .rebuilt = params.dress.season ? Rebuilt::always : Rebuilt::never,
+            .rebuilt = params.appearance.season ? Rebuilt::always : Rebuilt::never,
             .tallest = params.envelope.base + params.envelope.height,
             .sunk = params.guide.empty() ? 1.0f : 0.0f};  // whose places are given stands where they say
   }
   Review review() const override {
     Errors errors = check_colonized(params);
-    return {errors.empty() ? check_pictures(params.dress) : errors};
+    return {errors.empty() ? check_pictures(params.appearance) : errors};
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
     // Of the points no more count than have room beside each other, and many are taken by the way.
@@ -102,7 +102,7 @@ class ColonizedGrower final : public Described<ColonizedParams, LoneGrower> {
     tree.nodes_a_second = kTreeNodesASecond;
     return tree;
   }
-  Dress dress() const override { return dress_of(params.dress, params.leaf_reach > 0); }
+  Appearance appearance() const override { return tree_appearance(params.appearance, params.leaf_reach > 0); }
   Result<Model> grow_alone(Seed seed) const override { return grow_colonized_tree(params, seed); }
   Result<Model> grow_round(const Detour& detour, Seed seed) const override {
     return grow_colonized_tree(params, seed, detour);

@@ -63,10 +63,10 @@ class ColumnarGrower final : public Described<ColumnarParams, ColonyGrower> {
     return estimate_surface(a, 2 * kPi * a.across * (a.across / 2 + a.up) * (1 + 0.5 * a.hunger));
   }
   GrowerTraits traits() const override { return colony({.tallest = params.accretion.up}); }
-  Dress dress() const override {
-    Dress dress;
-    dress.motion.growth = params.growth;
-    return dress;
+  Appearance appearance() const override {
+    Appearance appearance;
+    appearance.motion.growth = params.growth;
+    return appearance;
   }
   std::optional<Spread> spread() const override {
     return Spread{static_cast<float>(params.accretion.across), static_cast<float>(params.accretion.up)};

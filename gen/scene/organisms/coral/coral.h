@@ -1,9 +1,9 @@
 #pragma once
 
+#include "appearance/skin.h"
 #include "core/curve.h"
 #include "core/result.h"
 #include "core/seed.h"
-#include "dress/skin.h"
 #include "grammar/grammar.h"
 #include "model/skeleton.h"
 #include "motion/motion.h"

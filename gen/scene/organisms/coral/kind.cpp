@@ -1,4 +1,4 @@
-#include "dress/describe.h"
+#include "appearance/describe.h"
 #include "organisms/asking.h"
 #include "organisms/colony.h"
 #include "organisms/colony_room.h"
@@ -104,12 +104,12 @@ class CoralGrower final : public Described<CoralParams, ColonyGrower> {
     constexpr auto steps = [](CoralParams& p) -> int& { return p.own_rules ? p.grammar.steps : p.steps; };
     return fewer_steps<CoralGrower, CoralParams>(*this, share, steps, word_size);
   }
-  Dress dress() const override {
-    Dress dress;
-    dress.look.branches = {.skin = params.skin};
-    dress.motion = {params.growth, params.wave, params.food, 1};
-    dress.variation = params.skin.tint.variation;
-    return dress;
+  Appearance appearance() const override {
+    Appearance appearance;
+    appearance.look.branches = {.skin = params.skin};
+    appearance.motion = {params.growth, params.wave, params.food, 1};
+    appearance.variation = params.skin.tint.variation;
+    return appearance;
   }
   std::optional<Result<Grammar>> grammar() const override { return coral_grammar(params); }
   std::optional<Spread> spread() const override {

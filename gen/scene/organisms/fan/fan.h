@@ -1,7 +1,7 @@
 #pragma once
 
+#include "appearance/skin.h"
 #include "core/seed.h"
-#include "dress/skin.h"
 #include "model/skeleton.h"
 #include "motion/motion.h"
 

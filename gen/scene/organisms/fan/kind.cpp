@@ -1,4 +1,4 @@
-#include "dress/describe.h"
+#include "appearance/describe.h"
 #include "organisms/colony.h"
 #include "organisms/colony_room.h"
 #include "organisms/fan/fan.h"
@@ -45,12 +45,12 @@ class FanGrower final : public Described<FanParams, ColonyGrower> {
     return sight;
   }
   GrowerTraits traits() const override { return colony({.branches = true, .tallest = 1.1 * params.height}); }
-  Dress dress() const override {
-    Dress dress;
-    dress.look.branches = {.skin = params.skin};
-    dress.motion = {params.growth, params.wave, params.food, 1};
-    dress.variation = params.skin.tint.variation;
-    return dress;
+  Appearance appearance() const override {
+    Appearance appearance;
+    appearance.look.branches = {.skin = params.skin};
+    appearance.motion = {params.growth, params.wave, params.food, 1};
+    appearance.variation = params.skin.tint.variation;
+    return appearance;
   }
   std::optional<Spread> spread() const override {
     return Spread{static_cast<float>(params.across / 2), static_cast<float>(params.height)};

@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "appearance/appearance.h"
 #include "core/result.h"
 #include "core/seed.h"
 #include "creeping/swing.h"
 #include "creeping/triangle_surface.h"
-#include "dress/dress.h"
 #include "model/model.h"
 #include "motion/motion.h"
 #include "organisms/ivy/walkers.h"

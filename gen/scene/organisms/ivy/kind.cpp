@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "dress/describe.h"
+#include "appearance/describe.h"
 #include "geometry/mesh_file.h"
 #include "images/describe_mask.h"
 #include "organisms/guide_file.h"
@@ -255,12 +255,12 @@ class IvyGrower final : public Described<IvyParams, BedGrower> {
     ivy.held = painted;
     return ivy;
   }
-  Dress dress() const override {
-    Dress dress;
-    dress.look.branches = {.bark = params.bark};
-    dress.motion = {params.growth, {}, {}, 1, false, params.flutter, params.leaves.unfold};
-    dress.variation = params.bark.variation;
-    return dress;
+  Appearance appearance() const override {
+    Appearance appearance;
+    appearance.look.branches = {.bark = params.bark};
+    appearance.motion = {params.growth, {}, {}, 1, false, params.flutter, params.leaves.unfold};
+    appearance.variation = params.bark.variation;
+    return appearance;
   }
   Result<Specimen> grow_bed(const Bed& bed, const World& world) const override {
     const Organism& organism = *bed.organism;
@@ -274,7 +274,7 @@ class IvyGrower final : public Described<IvyParams, BedGrower> {
     Result<Ivy> ivy = grow_ivy(params, **host, roots, organism.count, ground, bed.seed.child("grow"));
     if (!ivy) return ivy.errors();
     Specimen specimen{{organism.name, bed.entry}, std::move(ivy->model)};
-    Dress worn = dress();
+    Appearance worn = appearance();
     specimen.look = worn.look;
     specimen.brightness = 1 + worn.variation * bed.seed.child("brightness").range(-1, 1);
     specimen.motion = worn.motion;

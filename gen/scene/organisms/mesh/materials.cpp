@@ -18,7 +18,7 @@ namespace {
 constexpr double kOpaque = 0.999;
 
 /// How a material of the file is drawn.
-struct Dressing {
+struct MaterialDrawing {
   std::optional<Color> color;  ///< none: as the preset says
   std::string picture;         ///< name of the picture that it wears; empty: none
   bool spread = false;         ///< whether that lies on by texture coordinates; else it is of one pixel
@@ -59,14 +59,14 @@ Color mean_of(const MeshMaterial& m) {
 }
 
 /// Whether the file's own materials are drawn at all.
-bool is_dressed(const MeshParams& params) {
+bool draws_own_materials(const MeshParams& params) {
   return !params.own_color && std::ranges::any_of(params.body->material, [](const MeshMaterial& m) {
     return m.color || is_pictured(m);
   });
 }
 
-Dressing dressing_of(const MeshParams& params, std::int32_t material) {
-  if (material < 0 || !is_dressed(params)) return {};
+MaterialDrawing material_drawing(const MeshParams& params, std::int32_t material) {
+  if (material < 0 || !draws_own_materials(params)) return {};
   const MeshMaterial& m = params.body->material[static_cast<std::size_t>(material)];
   if (!params.own_matter && is_pictured(m) && has_texture(*params.body, material))
     return {m.color.value_or(Color{}), picture_of(m), true};
@@ -107,8 +107,8 @@ Result<std::vector<Picture>> draw_picture(const MeshMaterial& m, bool spread, co
   return std::vector<Picture>{{name, std::move(*bytes)}};
 }
 
-/// The triangles of one dressing, with texture coordinates where it wears a picture.
-Surface part_of(const MeshBody& body, const std::vector<char>& taken, const Dressing& dressing) {
+/// The triangles of one drawing of a material, with texture coordinates where it wears a picture.
+Surface part_of(const MeshBody& body, const std::vector<char>& taken, const MaterialDrawing& drawn) {
   const Surface& all = body.cut.surface;
   Surface part;
   std::map<std::tuple<std::uint32_t, float, float>, std::uint32_t> known;
@@ -117,14 +117,14 @@ Surface part_of(const MeshBody& body, const std::vector<char>& taken, const Dres
     std::array<std::uint32_t, 3> triangle{};
     for (std::size_t k = 0; k < 3; ++k) {
       std::uint32_t v = all.triangle[t][k];
-      Vec2 uv = dressing.spread ? Vec2(all.paint[t][k]) : Vec2(0.5f);
+      Vec2 uv = drawn.spread ? Vec2(all.paint[t][k]) : Vec2(0.5f);
       auto [place, fresh] =
           known.try_emplace({v, uv.x, uv.y}, static_cast<std::uint32_t>(part.position.size()));
       triangle[k] = place->second;
       if (!fresh) continue;
       part.position.push_back(all.position[v]);
       part.normal.push_back(all.normal[v]);
-      if (!dressing.picture.empty()) part.uv.push_back(uv);
+      if (!drawn.picture.empty()) part.uv.push_back(uv);
     }
     part.triangle.push_back(triangle);
     if (!all.paint.empty()) part.paint.push_back(all.paint[t]);
@@ -178,18 +178,18 @@ Result<Model> build_mesh_model(const MeshParams& params) {
                        size);
   };
   if (!params.carries.empty()) model.hull = barred_hull(params);
-  if (!is_dressed(params)) return place(body.cut.surface, matter), model;
+  if (!draws_own_materials(params)) return place(body.cut.surface, matter), model;
   for (const auto& [which, taken] : parts_of(body)) {
-    Dressing dressing = dressing_of(params, which);
+    MaterialDrawing drawn = material_drawing(params, which);
     Material material = matter;
-    if (dressing.color) material.color = *dressing.color;
-    if (dressing.color && !params.own_matter) material.matter = Matter::plain;
-    if (!dressing.picture.empty()) {
-      material.matter = Matter::shell, material.picture = dressing.picture;
+    if (drawn.color) material.color = *drawn.color;
+    if (drawn.color && !params.own_matter) material.matter = Matter::plain;
+    if (!drawn.picture.empty()) {
+      material.matter = Matter::shell, material.picture = drawn.picture;
       material.second = Color{1, 1, 1}, material.gloss = 0;
-      if (dressing.spread) material.color = mean_of(body.material[static_cast<std::size_t>(which)]);
+      if (drawn.spread) material.color = mean_of(body.material[static_cast<std::size_t>(which)]);
     }
-    place(part_of(body, taken, dressing), material);
+    place(part_of(body, taken, drawn), material);
   }
   return model;
 }
@@ -198,61 +198,62 @@ std::vector<Drawing> mesh_pictures(const MeshParams& params) {
   std::vector<Drawing> drawings;
   if (!params.body) return drawings;
   for (const auto& [which, taken] : parts_of(*params.body)) {
-    Dressing dressing = dressing_of(params, which);
-    if (dressing.picture.empty()) continue;
+    MaterialDrawing drawn = material_drawing(params, which);
+    if (drawn.picture.empty()) continue;
     const MeshMaterial& m = params.body->material[static_cast<std::size_t>(which)];
     constexpr double kPixels = 1 << 20, kSecondsAPixel = 1e-7;  // of a usual one
-    double pixels = dressing.spread ? kPixels : 1;
-    drawings.push_back({{dressing.picture},
-                        [m, dressing] { return draw_picture(m, dressing.spread, dressing.picture); },
+    double pixels = drawn.spread ? kPixels : 1;
+    drawings.push_back({{drawn.picture},
+                        [m, drawn] { return draw_picture(m, drawn.spread, drawn.picture); },
                         pixels,
                         kSecondsAPixel * pixels});
   }
   return drawings;
 }
 
-Errors mesh_doubts(const MeshParams& params) {
-  Errors doubts;
-  if (!params.body) return doubts;
+Errors mesh_warnings(const MeshParams& params) {
+  Errors warnings;
+  if (!params.body) return warnings;
   const MeshBody& body = *params.body;
-  for (const std::string& note : body.notes) doubts.push_back({"/file", params.file.name + " " + note});
+  for (const std::string& note : body.notes) warnings.push_back({"/file", params.file.name + " " + note});
   if (body.lies)
-    doubts.push_back({"/file", params.file.name +
-                                   " looks as if it lay on its back; if z is up in it, write \"up\": \"z\""});
+    warnings.push_back(
+        {"/file",
+         params.file.name + " looks as if it lay on its back; if z is up in it, write \"up\": \"z\""});
   auto colored = +[](const MeshMaterial& m) { return m.color || is_pictured(m); };
   auto pictured = +[](const MeshMaterial& m) { return is_pictured(m); };
   auto unread = +[](const MeshMaterial& m) { return m.picture && !is_pictured(m); };
   auto sheer = +[](const MeshMaterial& m) { return m.opacity < kOpaque; };
   if (std::string list = listed(params, colored); params.own_color && !list.empty())
-    doubts.push_back(
+    warnings.push_back(
         {"/color", fmt::format("takes the place of the colours that the file gives its materials {}; "
                                "without it they have their own",
                                list)});
-  if (params.own_color) return doubts;
+  if (params.own_color) return warnings;
   if (std::string list = listed(params, pictured); params.own_matter && !list.empty())
-    doubts.push_back(
+    warnings.push_back(
         {"/matter", fmt::format("takes the place of the pictures that the file gives its materials {}; "
                                 "without it they wear them",
                                 list)});
   if (std::string list = listed(params, sheer); params.own_matter && !list.empty())
-    doubts.push_back(
+    warnings.push_back(
         {"/matter", fmt::format("is opaque, and the file lets light through its materials {}; without "
                                 "it they do",
                                 list)});
   if (std::string list = listed(params, unread); !list.empty())
-    doubts.push_back(
+    warnings.push_back(
         {"/file", fmt::format("{} has pictures of an unknown kind on its materials {}; expected PNG, JPEG or "
                               "WebP, and they have one colour now",
                               params.file.name, list)});
-  if (params.own_matter) return doubts;
+  if (params.own_matter) return warnings;
   for (const auto& [which, taken] : parts_of(body))
     if (which >= 0 && is_pictured(body.material[static_cast<std::size_t>(which)]) &&
         !has_texture(body, which))
-      doubts.push_back(
+      warnings.push_back(
           {"/file", fmt::format("{} gives its material \"{}\" a picture but not all of its corners "
                                 "texture coordinates; it has one colour",
                                 params.file.name, body.material[static_cast<std::size_t>(which)].name)});
-  return doubts;
+  return warnings;
 }
 
 }  // namespace frond

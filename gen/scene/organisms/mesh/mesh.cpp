@@ -64,11 +64,11 @@ class MeshGrower final : public Described<MeshParams, BodyBuilder> {
   static constexpr std::string_view kLeading[] = {"file",   "size",  "matter",    "color",
                                                   "second", "scale", "weathering"};
 
-  Review review() const override { return {faults(), mesh_doubts(params)}; }
-  Dress dress() const override {
-    Dress dress;
-    dress.look.pictures = mesh_pictures(params);
-    return dress;
+  Review review() const override { return {faults(), mesh_warnings(params)}; }
+  Appearance appearance() const override {
+    Appearance appearance;
+    appearance.look.pictures = mesh_pictures(params);
+    return appearance;
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
     SizeEstimate mesh;

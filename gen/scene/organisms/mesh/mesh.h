@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "appearance/appearance.h"
 #include "core/assets.h"
 #include "core/result.h"
-#include "dress/dress.h"
 #include "geometry/polygon_mesh.h"
 #include "model/model.h"
 
@@ -64,6 +64,6 @@ Result<Model> build_mesh_model(const MeshParams& params);
 std::vector<Drawing> mesh_pictures(const MeshParams& params);
 
 /// What of the file is not drawn, or may not be meant so. Pointers below the organism.
-Errors mesh_doubts(const MeshParams& params);
+Errors mesh_warnings(const MeshParams& params);
 
 }  // namespace frond

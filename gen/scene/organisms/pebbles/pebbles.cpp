@@ -101,7 +101,7 @@ class PebblesGrower final : public Described<PebblesParams, BodyBuilder> {
     Errors faults = check_pebbles(params);
     return {faults.empty() ? check_stone(params.stone) : faults};
   }
-  Dress dress() const override { return stone_dress(params.stone); }
+  Appearance appearance() const override { return stone_appearance(params.stone); }
   GrowerTraits traits() const override { return {.stands_on_rock = false}; }
   Result<SizeEstimate> estimate_size(Seed) const override {
     SizeEstimate field;

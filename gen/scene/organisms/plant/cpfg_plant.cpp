@@ -124,13 +124,13 @@ Errors load_cpfg(const NamedFile& file, PlantGrammar& grammar) {
   return {};
 }
 
-void take_colors(PlantParams& params) {
+void use_model_colors(PlantParams& params) {
   if (!params.grammar.cpfg) return;
   params.bark.kind = BarkKind::stem;
   params.bark.colors = params.blades.colors = colors_of(*params.grammar.cpfg);
 }
 
-void take_surfaces(PlantParams& params) {
+void use_model_surfaces(PlantParams& params) {
   if (!params.grammar.cpfg) return;
   for (const auto& [name, mesh] : surfaces_of(*params.grammar.cpfg)) {
     std::string symbol(1, name);

@@ -28,9 +28,9 @@ struct DrawnPlant {
 Errors load_cpfg(const NamedFile& file, PlantGrammar& grammar);
 
 /// The colours of a plant's model, as what it is made of by default.
-void take_colors(PlantParams& params);
+void use_model_colors(PlantParams& params);
 /// Adds the surfaces of its model, but for those that the preset gives other shapes.
-void take_surfaces(PlantParams& params);
+void use_model_surfaces(PlantParams& params);
 
 /// Why a model cannot be grown with these properties.
 Errors cpfg_faults(const PlantParams& params);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "dress/describe.h"
-#include "dress/picture_bounds.h"
+#include "appearance/describe.h"
+#include "appearance/picture_bounds.h"
 #include "geometry/mesh_file.h"
 #include "grammar/figure.h"
 #include "grammar/kind.h"
@@ -30,9 +30,9 @@ inline constexpr Choice<OrganShape> kOrganShapes[] = {
     {"picture", OrganShape::picture, "a leaf of a known outline, as its picture shows it"},
     {"grammar", OrganShape::grammar, "what a grammar of its own draws: a stem, leaflets and outlines"}};
 
-inline constexpr Choice<Stand> kStands[] = {
-    {"turtle", Stand::turtle, "where the turtle starts"},
-    {"middle", Stand::middle, "below its middle, the lowest point on the ground"}};
+inline constexpr Choice<PlantOrigin> kPlantOrigins[] = {
+    {"turtle", PlantOrigin::turtle, "where the turtle starts"},
+    {"middle", PlantOrigin::middle, "below its middle, the lowest point on the ground"}};
 
 void describe(Properties& v, Luster& l) {
   v.aspect(Aspect::look);
@@ -123,11 +123,11 @@ void describe(Properties& v, PlantGrammar& g) {
 
 void describe(Properties& v, PlantParams& p) {
   v.object("grammar", p.grammar, "The rules that it grows by");
-  if (v.purpose() == Purpose::reading) take_colors(p);
+  if (v.purpose() == Purpose::reading) use_model_colors(p);
   v.required("grammar");
   v.number("height", p.height, {.min = 0, .max = 1000, .unit = "m"},
            "Height that the whole is scaled to; 0 leaves it as the turtle draws it");
-  v.choice("stand", p.stand, kStands, "Which point of it stands at its place");
+  v.choice("stand", p.origin, kPlantOrigins, "Which point of it stands at its place");
   v.integer("smoothing", p.smoothing, {.min = 1, .max = 16},
             "Number of nodes that each segment is rounded with; 1 leaves straight lines");
   v.object("thickness", p.thickness, "Thickness of the branches");
@@ -141,7 +141,7 @@ void describe(Properties& v, PlantParams& p) {
   v.boolean("by_steps", p.by_steps,
             "Whether growth runs through the derivation steps instead of along the finished branches");
   if (asks(p.grammar)) v.aspect(Aspect::shape, "food", "growth");
-  if (v.purpose() == Purpose::reading) take_surfaces(p);
+  if (v.purpose() == Purpose::reading) use_model_surfaces(p);
 }
 
 namespace {
@@ -245,16 +245,16 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
     constexpr auto steps = [](PlantParams& p) -> int& { return p.grammar.steps; };
     return fewer_steps<PlantGrower, PlantParams>(*this, share, steps, word_size);
   }
-  Dress dress() const override {
-    Dress dress;
-    dress.look.branches = {.bark = params.bark};
-    dress.look.blades = params.blades;
+  Appearance appearance() const override {
+    Appearance appearance;
+    appearance.look.branches = {.bark = params.bark};
+    appearance.look.blades = params.blades;
     for (const OrganParams& organ : params.organs)
-      if (organ.picture) dress.look.organs.push_back(*organ.picture);
-    dress.season = params.season;
-    dress.motion = {params.growth, params.wave, params.food, 1};
-    dress.variation = params.bark.variation;
-    return dress;
+      if (organ.picture) appearance.look.organs.push_back(*organ.picture);
+    appearance.season = params.season;
+    appearance.motion = {params.growth, params.wave, params.food, 1};
+    appearance.variation = params.bark.variation;
+    return appearance;
   }
   std::optional<Result<Grammar>> grammar() const override {
     if (params.grammar.cpfg) return std::nullopt;

@@ -18,8 +18,8 @@ namespace {
 Bounds box_of(const Figure& f) {
   Bounds box = bounds_of(f.skeleton.position);
   for (const Outline& o : f.outlines)
-    for (const Vec3& p : o.points) box.take(p);
-  for (const Site& s : f.sites) box.take(s.position);
+    for (const Vec3& p : o.points) box.extend(p);
+  for (const Site& s : f.sites) box.extend(s.position);
   return box.empty() ? Bounds{Vec3(0), Vec3(0)} : box;
 }
 
@@ -33,9 +33,9 @@ struct Stature {
 
 Stature stature_of(const DrawnPlant& plant, const PlantParams& params) {
   const Bounds& box = plant.box;
-  float high = params.stand == Stand::turtle ? box.high.y : box.size().y;
+  float high = params.origin == PlantOrigin::turtle ? box.high.y : box.size().y;
   float factor = params.height > 0 && high > 0 ? static_cast<float>(params.height) / high : 1.0f;
-  Vec3 foot = params.stand == Stand::turtle ? Vec3(0) : box.foot();
+  Vec3 foot = params.origin == PlantOrigin::turtle ? Vec3(0) : box.foot();
   const Skeleton& s = plant.figure.skeleton;
   float start = s.size() > 0 ? s.radius[0] : static_cast<float>(params.grammar.width / 2);
   return {factor, foot, s.longest(), std::max(start * factor, 1e-6f)};

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "appearance/appearance.h"
 #include "core/assets.h"
 #include "core/curve.h"
 #include "core/result.h"
 #include "core/seed.h"
 #include "cpfg/cpfg.h"
-#include "dress/dress.h"
 #include "geometry/girth.h"
 #include "grammar/grammar.h"
 #include "model/model.h"
@@ -49,7 +49,7 @@ struct OrganParams {
 };
 
 /// The origin of a plant.
-enum class Stand {
+enum class PlantOrigin {
   turtle,  ///< where the turtle starts
   middle   ///< below the middle of its box, the lowest point on the ground
 };
@@ -65,7 +65,7 @@ struct PlantGrammar : GrammarText {
 struct PlantParams {
   PlantGrammar grammar;
   double height = 0;  ///< metres; the whole is scaled to this height; 0: not scaled
-  Stand stand = Stand::turtle;
+  PlantOrigin origin = PlantOrigin::turtle;
   int smoothing = 3;  ///< nodes per segment; 1 keeps corners
   Girth thickness;
   Bark bark;

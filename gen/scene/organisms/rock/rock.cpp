@@ -55,7 +55,7 @@ class RockGrower final : public Described<RockParams, BodyBuilder> {
     Errors faults = check_rock(params.shape);
     return {faults.empty() ? check_stone(params.stone) : faults};
   }
-  Dress dress() const override { return stone_dress(params.stone); }
+  Appearance appearance() const override { return stone_appearance(params.stone); }
   std::shared_ptr<const Grower> coarse(double share) const override {
     return changed(*this, [&](RockParams& p) {
       p.shape.cells.depth = std::min(p.shape.cells.depth, share < 0.1 ? 4 : 5);

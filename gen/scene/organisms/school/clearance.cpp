@@ -46,15 +46,15 @@ void sweep_line(std::vector<float>& f, std::vector<float>& out, std::vector<int>
   f.swap(out);
 }
 
-void take_skeleton(Clearance& grid, const Skeleton& rest, const Pose& pose) {
+void add_skeleton(Clearance& grid, const Skeleton& rest, const Pose& pose) {
   for (std::size_t i = 0; i < rest.size(); ++i) {
     std::int32_t parent = rest.parent[i];
     if (parent < 0) {
-      grid.take(pose.position[i], pose.radius[i]);
+      grid.add(pose.position[i], pose.radius[i]);
       continue;
     }
     auto p = static_cast<std::size_t>(parent);
-    grid.take(pose.position[p], pose.position[i], pose.radius[p], pose.radius[i]);
+    grid.add(pose.position[p], pose.position[i], pose.radius[p], pose.radius[i]);
   }
 }
 
@@ -69,7 +69,7 @@ Clearance::Clearance(Vec3 low, Vec3 high, float cell) : low_(low), cell_(cell) {
   distance_.assign(all, kFar);
 }
 
-void Clearance::take(Vec3 middle, float radius) {
+void Clearance::add(Vec3 middle, float radius) {
   float reach = radius + kHalfDiagonal * cell_;
   int from[3], to[3];
   for (int axis = 0; axis < 3; ++axis) {
@@ -86,25 +86,25 @@ void Clearance::take(Vec3 middle, float radius) {
       }
 }
 
-void Clearance::take(Vec3 a, Vec3 b, float radius_a, float radius_b) {
+void Clearance::add(Vec3 a, Vec3 b, float radius_a, float radius_b) {
   int parts = std::max(1, static_cast<int>(std::ceil(glm::distance(a, b) / (0.7f * cell_))));
   for (int i = 0; i <= parts; ++i) {
     float t = static_cast<float>(i) / static_cast<float>(parts);
-    take(a + (b - a) * t, radius_a + (radius_b - radius_a) * t);
+    add(a + (b - a) * t, radius_a + (radius_b - radius_a) * t);
   }
 }
 
-void Clearance::take(const Surface& surface) {
+void Clearance::add(const Surface& surface) {
   Vec3 top = high();
   for (const auto& [a, b, c] : surface.triangle) {
     Vec3 p = surface.position[a], q = surface.position[b], r = surface.position[c];
     Vec3 least = glm::min(p, glm::min(q, r)), most = glm::max(p, glm::max(q, r));
     if (glm::any(glm::greaterThan(least, top)) || glm::any(glm::lessThan(most, low_))) continue;
-    over_triangle(p, q, r, cell_, [&](Vec3 at) { take(at, 0); });
+    over_triangle(p, q, r, cell_, [&](Vec3 at) { add(at, 0); });
   }
 }
 
-void Clearance::take_ground(const World& world) {
+void Clearance::add_ground(const World& world) {
   for (int z = 0; z < size_[2]; ++z)
     for (int x = 0; x < size_[0]; ++x) {
       Vec3 at = low_ + cell_ * (Vec3(x, 0, z) + 0.5f);
@@ -166,12 +166,12 @@ Vec3 Clearance::away(Vec3 at) const {
 
 Clearance clearance_of(const World& world, Vec3 low, Vec3 high, float cell) {
   Clearance grid(low, high, cell);
-  grid.take_ground(world);
-  grid.take(world.stones());
+  grid.add_ground(world);
+  grid.add(world.stones());
   int moments = world.filmed() ? kMoments : 1;
   for (const Specimen& s : world.standing()) {
-    if (s.model.solids.size() > 0 || !s.model.hull.triangle.empty()) grid.take(skin_of(s.model));
-    grid.take(s.model.blades.surface);
+    if (s.model.solids.size() > 0 || !s.model.hull.triangle.empty()) grid.add(skin_of(s.model));
+    grid.add(s.model.blades.surface);
     if (s.model.skeleton.size() == 0) continue;
     // What grows is there in full: fish do not know that it is not there yet.
     Motion grown = s.motion;
@@ -180,7 +180,7 @@ Clearance clearance_of(const World& world, Vec3 low, Vec3 high, float cell) {
     Pose pose;
     for (int k = 0; k < (moves ? moments : 1); ++k) {
       pose_skeleton(s.model.skeleton, grown, world.film_length() * k / moments, pose);
-      take_skeleton(grid, s.model.skeleton, pose);
+      add_skeleton(grid, s.model.skeleton, pose);
     }
   }
   grid.measure();

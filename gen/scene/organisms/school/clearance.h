@@ -15,12 +15,12 @@ class Clearance {
   Clearance(Vec3 low, Vec3 high, float cell);
 
   /// Adds a ball; parts outside the box are ignored.
-  void take(Vec3 middle, float radius);
+  void add(Vec3 middle, float radius);
   /// Adds a cone between two balls, or a mesh; parts outside the box are ignored.
-  void take(Vec3 a, Vec3 b, float radius_a, float radius_b);
-  void take(const Surface& surface);
+  void add(Vec3 a, Vec3 b, float radius_a, float radius_b);
+  void add(const Surface& surface);
   /// Adds everything below the ground.
-  void take_ground(const World& world);
+  void add_ground(const World& world);
   /// Computes the distances; call it after all objects are added, before any query.
   void measure();
 

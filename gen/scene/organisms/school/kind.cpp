@@ -4,7 +4,7 @@
 #include <cmath>
 #include <memory>
 
-#include "dress/describe_fish.h"
+#include "appearance/describe_fish.h"
 #include "organisms/kinds.h"
 #include "organisms/school/school.h"
 
@@ -82,11 +82,11 @@ class School final : public Described<SchoolParams, BedGrower> {
     fish.shapes = kTailPhases * kTailBends * 900.0;
     return fish;
   }
-  Dress dress() const override {
-    Dress dress;
-    dress.look.branches = {.bark = Bark{}};  // none is seen: fish are organs
-    dress.look.pictures.push_back(fish_drawing(params.fish.form, params.fish.look));
-    return dress;
+  Appearance appearance() const override {
+    Appearance appearance;
+    appearance.look.branches = {.bark = Bark{}};  // none is seen: fish are organs
+    appearance.look.pictures.push_back(fish_drawing(params.fish.form, params.fish.look));
+    return appearance;
   }
   Result<Specimen> grow_bed(const Bed& bed, const World& world) const override {
     const Place& place = bed.organism->place;
@@ -101,7 +101,7 @@ class School final : public Described<SchoolParams, BedGrower> {
     auto trajectory = std::make_shared<const Trajectory>(
         frond::swim(task, params.fish.beat, params.fish.size_variation, clearance_round(task.home, world)));
     Specimen specimen{{bed.organism->name, bed.entry}, {}};
-    Dress worn = dress();
+    Appearance worn = appearance();
     specimen.look = worn.look;
     specimen.motion = worn.motion;
     specimen.motion.film_length = world.film_length();

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "appearance/fish_look.h"
 #include "core/result.h"
-#include "dress/fish_look.h"
 #include "organisms/grower.h"
 #include "organisms/school/swim.h"
 

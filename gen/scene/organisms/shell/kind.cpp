@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dress/describe.h"
-#include "dress/describe_shell.h"
+#include "appearance/describe.h"
+#include "appearance/describe_shell.h"
 #include "organisms/colony.h"
 #include "organisms/kinds.h"
 #include "organisms/shell/shell.h"
@@ -124,12 +124,12 @@ class ShellGrower final : public Described<ShellParams, ColonyGrower> {
     sight.blocks = params.mantle ? 2 : 1;
     return sight;
   }
-  Dress dress() const override {
-    Dress dress;
-    dress.look.pictures.push_back(shell_drawing_of(params));
-    if (params.mantle) dress.look.pictures.push_back(mantle_drawing(params.mantle->look));
-    dress.motion.growth = params.growth;
-    return dress;
+  Appearance appearance() const override {
+    Appearance appearance;
+    appearance.look.pictures.push_back(shell_drawing_of(params));
+    if (params.mantle) appearance.look.pictures.push_back(mantle_drawing(params.mantle->look));
+    appearance.motion.growth = params.growth;
+    return appearance;
   }
   /// What lives keeps its place free.
   std::optional<Spread> spread() const override {

@@ -15,7 +15,7 @@ constexpr double kYoungest = 1e-3;  // share of its size at which it begins
 
 Bounds turned_bounds(const Surface& s, const glm::mat3& turn) {
   Bounds box;
-  for (const Vec3& p : s.position) box.take(turn * p);
+  for (const Vec3& p : s.position) box.extend(turn * p);
   return box;
 }
 

@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "appearance/shell_look.h"
 #include "core/curve.h"
 #include "core/result.h"
-#include "dress/shell_look.h"
 #include "model/model.h"
 #include "motion/motion.h"
 

@@ -35,7 +35,7 @@ struct Socket {
   Vec3 weights;
 };
 
-std::vector<Socket> draw_sockets(const Sheet& sheet, double spacing, Seed seed) {
+std::vector<Socket> sample_sockets(const Sheet& sheet, double spacing, Seed seed) {
   constexpr std::uint64_t kThrows = 5;  // at each triangle
   std::vector<Socket> sockets;
   Darts darts(static_cast<float>(spacing));
@@ -44,7 +44,7 @@ std::vector<Socket> draw_sockets(const Sheet& sheet, double spacing, Seed seed) 
       Seed lot = seed.child(dart).child(t);
       Vec3 w(drawn_weights(lot.child("u").unit(), lot.child("v").unit()));
       auto [a, b, c] = sheet.triangle[t];
-      if (darts.take(sheet.position[a] * w.x + sheet.position[b] * w.y + sheet.position[c] * w.z))
+      if (darts.try_add(sheet.position[a] * w.x + sheet.position[b] * w.y + sheet.position[c] * w.z))
         sockets.push_back({t, w});
     }
   return sockets;
@@ -92,7 +92,7 @@ std::uint32_t add_branchlet(Surface& lawn, Vec3 foot, Vec3 up, float length, flo
 SheetBody lawn_of(const Sheet& sheet, const SheetBody& top, const TableParams& params, Seed seed) {
   SheetBody lawn;
   lawn.past.resize(kSheetSteps);
-  std::vector<Socket> sockets = draw_sockets(sheet, params.spacing, seed);
+  std::vector<Socket> sockets = sample_sockets(sheet, params.spacing, seed);
   auto rows = static_cast<float>(sheet.rows);
   float reach = static_cast<float>(params.across / 2);
   for (std::size_t s = 0; s < sockets.size(); ++s) {

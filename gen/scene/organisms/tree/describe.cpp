@@ -1,6 +1,6 @@
 #include "organisms/tree/describe.h"
 
-#include "dress/describe.h"
+#include "appearance/describe.h"
 #include "organisms/describe_along.h"
 #include "organisms/describe_grammar.h"
 

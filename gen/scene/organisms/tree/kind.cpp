@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "appearance/picture_bounds.h"
 #include "core/parallel.h"
-#include "dress/picture_bounds.h"
 #include "grove/age.h"
 #include "grove/edit_tree.h"
 #include "organisms/kinds.h"
@@ -101,16 +101,16 @@ class TreeGrower final : public Described<TreeParams, Grower>, public Perennial 
     tree.nodes_a_second = 1e7;  // those seconds are all
     return tree;
   }
-  Dress dress() const override {
-    Dress dress;
-    dress.look.branches = {.bark = params.bark, .coat = params.coat};
-    if (params.leaves.size > 0 && params.leaves.picture) dress.look.leaves = pictured_leaves(params);
-    dress.season = params.season;
-    dress.motion = {params.growth, params.wave, {}, 1, true};
+  Appearance appearance() const override {
+    Appearance appearance;
+    appearance.look.branches = {.bark = params.bark, .coat = params.coat};
+    if (params.leaves.size > 0 && params.leaves.picture) appearance.look.leaves = pictured_leaves(params);
+    appearance.season = params.season;
+    appearance.motion = {params.growth, params.wave, {}, 1, true};
     const Wood& wood = params.species.wood;
-    dress.motion.wood = SwayWood{wood.density, wood.stiffness, wood.leaf_mass};
-    dress.variation = params.bark.variation;
-    return dress;
+    appearance.motion.wood = SwayWood{wood.density, wood.stiffness, wood.leaf_mass};
+    appearance.variation = params.bark.variation;
+    return appearance;
   }
   std::optional<StormTime> storm_of(const Event& event) const override {
     const int cycles = cycles_of(params);
@@ -156,11 +156,11 @@ class TreeGrower final : public Described<TreeParams, Grower>, public Perennial 
       Specimen& tree = trees[i];
       tree.name = bed->organism->name;
       tree.entry = bed->entry;
-      put_on(tree, grower.dress(), world, planting->seed);
+      apply_appearance(tree, grower.appearance(), world, planting->seed);
       tree.placement.foot = planting->foot;
-      Stand by{*sites[i].params,    grove.cycles,   world.filmed(),
-               world.film_length(), world.ground(), planting->seed.child("look")};
-      stand(tree, by, std::make_shared<const GrownTree>(std::move(grove.trees[i])));
+      GrowthRecord record{*sites[i].params,    grove.cycles,   world.filmed(),
+                          world.film_length(), world.ground(), planting->seed.child("look")};
+      set_grown(tree, record, std::make_shared<const GrownTree>(std::move(grove.trees[i])));
       step();
     });
     return {std::make_move_iterator(trees.begin()), std::make_move_iterator(trees.end())};
@@ -245,8 +245,8 @@ class TreeGrower final : public Described<TreeParams, Grower>, public Perennial 
                    [&](double x, double z) { return ground(x, z); });
   }
 
-  /// All that a grown tree stands by.
-  struct Stand {
+  /// What a grown tree is modelled by.
+  struct GrowthRecord {
     TreeParams params;
     int cycles = 0;
     bool filmed = false;
@@ -257,8 +257,8 @@ class TreeGrower final : public Described<TreeParams, Grower>, public Perennial 
   };
 
   /// Gives a tree its model, and its life where that is filmed.
-  static void stand(Specimen& tree, const Stand& by, std::shared_ptr<const GrownTree> grown) {
-    const auto& [params, cycles, filmed, film_length, ground, look, edits] = by;
+  static void set_grown(Specimen& tree, const GrowthRecord& record, std::shared_ptr<const GrownTree> grown) {
+    const auto& [params, cycles, filmed, film_length, ground, look, edits] = record;
     bool grows = filmed && params.growth.duration > 0;
     double cycle = filmed ? cycles + 0.5 : cycle_at(params.growth, cycles, film_length);
     Filming filming = filming_of(params.growth, cycles, 0);
@@ -276,12 +276,12 @@ class TreeGrower final : public Described<TreeParams, Grower>, public Perennial 
     color_barks(tree.model, edits, colors);
     tree.model.notes = grown->notes;
     tree.life.held = grown->held();
-    tree.life.edit = [by, grown](Specimen& same, std::span<const Edit> given) {
+    tree.life.edit = [record, grown](Specimen& same, std::span<const Edit> given) {
       auto changed = std::make_shared<GrownTree>(*grown);
       std::vector<std::string> notes = edit_tree(*changed, given);
-      Stand edited = by;
+      GrowthRecord edited = record;
       edited.edits.assign(given.begin(), given.end());
-      stand(same, edited, std::move(changed));
+      set_grown(same, edited, std::move(changed));
       same.model.notes.insert(same.model.notes.end(), notes.begin(), notes.end());
     };
     const Growth growth = tree.motion.growth;

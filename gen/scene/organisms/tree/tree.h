@@ -2,11 +2,11 @@
 
 #include <span>
 
+#include "appearance/appearance.h"
 #include "core/detour.h"
 #include "core/result.h"
 #include "core/seed.h"
 #include "crown/along_parent.h"
-#include "dress/dress.h"
 #include "foliage/sprig.h"
 #include "grove/grove.h"
 #include "grove/standing.h"

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "appearance/describe.h"
+#include "appearance/picture_bounds.h"
 #include "crown/arbaro.h"
-#include "dress/describe.h"
-#include "dress/picture_bounds.h"
 #include "organisms/crown_leaves.h"
 #include "organisms/kinds.h"
 
@@ -23,7 +23,7 @@ Result<Model> grow_weber_penn_tree(const WeberPennParams& params, Seed seed, con
   model.skeleton = std::move(crown->skeleton);
   // What the stalk takes is not part of the blade, whose length LeafScale is.
   const WeberPenn& tree = params.tree;
-  LeafLook look = params.dress.leaves;
+  LeafLook look = params.appearance.leaves;
   auto length = static_cast<float>(tree.leaf_scale * (1 + std::max(tree.leaf_stem_length, 0.0)));
   double share = 0;
   LeafImage image = leaf_image(look, 0);
@@ -32,7 +32,7 @@ Result<Model> grow_weber_penn_tree(const WeberPennParams& params, Seed seed, con
   // As wide as LeafScaleX asks, unless it is a sprig, which has its own shape.
   float wide =
       look.sprig ? length : static_cast<float>(tree.leaf_scale_x * tree.leaf_scale / std::max(share, 0.05));
-  put_leaves(model, crown->leaves, params.dress, Vec3(wide, length, length), seed.child("leaf"));
+  put_leaves(model, crown->leaves, params.appearance, Vec3(wide, length, length), seed.child("leaf"));
   return model;
 }
 
@@ -163,7 +163,7 @@ void describe(Properties& v, WeberPennParams& p) {
   v.file(
       "arbaro", p.arbaro, [&](const NamedFile& file) { return load_species(file, p.tree); },
       "An XML file of Arbaro, named as seen from the preset's folder, in place of tree");
-  describe(v, p.dress);
+  describe(v, p.appearance);
 }
 
 namespace {
@@ -180,13 +180,13 @@ class WeberPennGrower final : public Described<WeberPennParams, LoneGrower> {
   GrowerTraits traits() const override {
     return {.stage = GrowthStage::round_bodies,
             .branches = true,
-            .rebuilt = params.dress.season ? Rebuilt::always : Rebuilt::never,
+            .rebuilt = params.appearance.season ? Rebuilt::always : Rebuilt::never,
             .tallest = 1.2 * (params.tree.scale + params.tree.scale_v),
             .sunk = params.guide.empty() ? 1.0f : 0.0f};  // whose places are given stands where they say
   }
   Review review() const override {
     if (Errors errors = check_guide(params.guide); !errors.empty()) return {errors};
-    if (estimate_nodes(params.tree) < kMostNodes) return {check_pictures(params.dress)};
+    if (estimate_nodes(params.tree) < kMostNodes) return {check_pictures(params.appearance)};
     return {{{"", "the tree would have more than 4000000 nodes; fewer branches, splits or segments"}}};
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
@@ -198,11 +198,11 @@ class WeberPennGrower final : public Described<WeberPennParams, LoneGrower> {
     tree.parts = tree.organs;
     return tree;
   }
-  Dress dress() const override {
-    Dress dress = dress_of(params.dress, params.tree.leaves != 0);
-    dress.look.branches.lobes = params.tree.lobes;
-    dress.look.branches.lobe_depth = params.tree.lobe_depth;
-    return dress;
+  Appearance appearance() const override {
+    Appearance appearance = tree_appearance(params.appearance, params.tree.leaves != 0);
+    appearance.look.branches.lobes = params.tree.lobes;
+    appearance.look.branches.lobe_depth = params.tree.lobe_depth;
+    return appearance;
   }
   Result<Model> grow_alone(Seed seed) const override { return grow_weber_penn_tree(params, seed); }
   Result<Model> grow_round(const Detour& detour, Seed seed) const override {

@@ -2,9 +2,9 @@
 
 #include <string>
 
+#include "appearance/appearance.h"
 #include "core/assets.h"
 #include "crown/weber_penn.h"
-#include "dress/dress.h"
 #include "organisms/tree_guide.h"
 
 namespace frond {
@@ -14,7 +14,7 @@ struct WeberPennParams {
   WeberPenn tree;
   TreeGuide guide;  ///< of the first trunk
   FileName arbaro;  ///< an Arbaro file whose values replace `tree`, relative to the preset's folder
-  TreeDress dress;
+  TreeAppearance appearance;
 };
 
 /// One tree, its foot at the origin, round what is in its way.

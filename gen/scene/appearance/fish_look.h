@@ -1,0 +1,68 @@
+#pragma once
+
+#include "appearance/leaf_look.h"
+
+namespace frond {
+
+enum class TailShape { forked, lunate, round, square };
+enum class FishPattern { plain, bars, lines };
+
+/// Outline of a fish from the side. Lengths as shares of the whole length, from the nose to the end of the
+/// tail.
+struct FishForm {
+  double depth = 0.36;     ///< of the body, from belly to back, without fins
+  double width = 0.38;     ///< of the body, as a share of its depth
+  double deepest = 0.36;   ///< position of the greatest depth, as a share of the body from the nose
+  double snout = 0.3;      ///< 0 blunt .. 1 a long beak
+  double peduncle = 0.26;  ///< depth of the body before the tail, as a share of the greatest depth
+  TailShape tail = TailShape::forked;
+  double tail_depth = 0.36;   ///< from tip to tip
+  double dorsal = 0.09;       ///< height of the fin on the back
+  double dorsal_from = 0.28;  ///< where it begins
+  double anal = 0.08;         ///< height of the fin below the tail
+  double pectoral = 0.14;     ///< length of the fins at the sides
+};
+
+/// Share of the length at which the body ends and the tail begins.
+inline constexpr double kFishBody = 0.8;
+
+/// Half the depth of the body as a share of the length, at a position 0..1 from the nose.
+double fish_depth(const FishForm& form, double at);
+
+/// How far a fin reaches beyond the body there; 0 where there is no fin.
+double dorsal_height(const FishForm& form, double at);
+double anal_height(const FishForm& form, double at);
+
+/// Colours and pattern of a fish.
+struct FishLook {
+  Color back{0.10f, 0.30f, 0.66f};
+  Color flank{0.30f, 0.66f, 0.94f};
+  Color belly{0.70f, 0.90f, 0.98f};
+  Color fins{0.35f, 0.62f, 0.88f};
+  Color tail{0.35f, 0.62f, 0.88f};
+  double tail_from = 0.84;  ///< share of the length at which the colour of the tail begins
+  FishPattern pattern = FishPattern::plain;
+  Color mark{0.95f, 0.95f, 0.95f};  ///< of bars or lines
+  Color edge{0.04f, 0.04f, 0.05f};  ///< of the edge round them
+  double edging = 0;                ///< width of the edge, as a share of a bar's
+  int marks = 3;                    ///< number of bars or lines
+  double mark_width = 0.07;         ///< of each, as a share of the length
+  double mark_from = 0.2;           ///< position of the first; bars from the nose, lines from the belly
+  double mark_to = 0.78;            ///< position of the last
+  bool marked_fins = false;         ///< whether bars continue on the fins
+  Color iris{0.85f, 0.80f, 0.55f};
+  double eye = 0.055;   ///< its width, as a share of the length
+  double scales = 0.5;  ///< strength of the scales
+  double gloss = 0.5;   ///< 0 matt .. 1 wet and polished
+  int pixels = 384;     ///< of the picture, along the fish
+};
+
+/// Texture coordinates of a point on the side of a fish: `along` from the nose 0 to the tail 1, `up` from its
+/// middle. The lower part of the picture holds the fins at the sides.
+Vec2 fish_uv(double along, double up);
+
+/// The picture of a fish from the side, and its name.
+Drawing fish_drawing(const FishForm& form, const FishLook& look);
+std::string fish_picture_name(const FishForm& form, const FishLook& look);
+
+}  // namespace frond

@@ -1,0 +1,278 @@
+#include "appearance/season.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "foliage/organ_shapes.h"
+
+namespace frond {
+
+namespace {
+
+constexpr int kSteps = 5;         // from colour to colour
+constexpr float kLeast = 0.02f;   // share of its size below which a leaf is not there
+constexpr double kUnfold = 0.06;  // years in which a leaf unfolds
+constexpr double kDarken = 0.11;  // years until it is dark
+constexpr double kWither = 0.12;  // years in which what lies takes the last colour
+constexpr std::string_view kBlossom = "blossom";
+
+LeafTint mix(const LeafTint& a, const LeafTint& b, float t) {
+  return {mixed(a.color, b.color, t), mixed(a.veins, b.veins, t), mixed(a.rim, b.rim, t)};
+}
+
+LeafTint autumn_tint(const Color& c) {
+  return {c, mixed(c, {1, 0.95f, 0.8f}, 0.3f), mixed(c, {0.4f, 0.2f, 0.08f}, 0.25f)};
+}
+
+/// The colours of other seasons in the order in which color_at() finds them: for each own colour from that of
+/// a bud; for each to the first of autumn; from each of autumn to the next.
+std::vector<LeafTint> season_tints(const std::vector<LeafTint>& own, const Seasons& seasons) {
+  std::vector<LeafTint> list;
+  if (seasons.evergreen || seasons.autumn.empty()) return list;
+  auto add_blend = [&](const LeafTint& from, const LeafTint& to) {
+    for (int i = 1; i <= kSteps; ++i) list.push_back(mix(from, to, static_cast<float>(i) / kSteps));
+  };
+  const Color& y = seasons.young;
+  for (const LeafTint& green : own) add_blend(green, {y, mixed(y, {1, 1, 0.8f}, 0.3f), y});
+  for (const LeafTint& green : own) add_blend(green, autumn_tint(seasons.autumn[0]));
+  for (std::size_t a = 0; a + 1 < seasons.autumn.size(); ++a)
+    add_blend(autumn_tint(seasons.autumn[a]), autumn_tint(seasons.autumn[a + 1]));
+  return list;
+}
+
+std::int32_t color_at(const Prototype& leaf, std::int32_t own, float hue) {
+  auto n = static_cast<std::int32_t>(leaf.summer);
+  if (n == 0) return own;
+  own = (own % n + n) % n;
+  auto step = static_cast<std::int32_t>(std::lround(std::abs(hue) * kSteps));
+  if (step == 0) return own;
+  if (hue < 0) return n + own * kSteps + step - 1;
+  if (step <= kSteps) return n + (n + own) * kSteps + step - 1;
+  return std::min(n + 2 * n * kSteps + step - kSteps, static_cast<std::int32_t>(leaf.colors.size())) - 1;
+}
+
+double share(double x) { return x - std::floor(x); }
+
+/// Where in its life something is that comes once a year: the whole part says which one of them it is.
+struct Turn {
+  std::uint64_t which;
+  double age;  ///< years since shortly before the first of its kind came
+};
+
+Turn turn_of(double year, double first) {
+  double since = year - first;
+  return {static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(since))), share(since)};
+}
+
+/// What falls: tumbling, aside, and then lying flat.
+struct Flight {
+  Vec3 position;
+  Quat turn;
+  float loose;
+};
+
+Flight flight(Vec3 from, Quat turn, float fallen, Seed own, const GroundAt& ground) {
+  auto lot = [&](std::uint64_t k, double low, double high) {
+    return static_cast<float>(own.child(k).range(low, high));
+  };
+  float yaw = lot(10, 0, 2 * kPi), reach = lot(11, 0.05, 0.4);
+  Vec3 aside(std::cos(yaw), 0, std::sin(yaw));
+  float high = ground ? from.y - static_cast<float>(ground(from.x, from.z)) : std::max(from.y, 0.0f);
+  high = std::max(high, 0.05f);
+  Vec3 land = from + aside * (high * reach);
+  land.y = ground ? static_cast<float>(ground(land.x, land.z)) + 0.012f : from.y - high;
+  float down = fallen * (0.4f + 0.6f * fallen);
+  float swing = 0.15f * std::min(high, 2.0f) * std::sin(lot(12, 12, 22) * fallen) *
+                std::sin(static_cast<float>(kPi) * fallen);
+  Vec3 across(-aside.z, 0, aside.x);
+  Vec3 axis = glm::normalize(Vec3(lot(13, -1, 1), lot(14, -1, 1), lot(15, -1, 1)) + Vec3(0.01f, 0, 0));
+  Quat tumbling = glm::angleAxis(lot(16, 4, 14) * fallen, axis) * turn;
+  Quat flat = glm::angleAxis(lot(17, 0, 2 * kPi), Vec3(0, 1, 0)) *
+              glm::angleAxis(lot(18, -0.35, 0.35), Vec3(0, 0, 1)) *
+              glm::angleAxis(-static_cast<float>(kPi / 2), Vec3(1, 0, 0));
+  return {glm::mix(from, land, down) + across * swing,
+          glm::normalize(glm::slerp(tumbling, flat, smooth_step(0.7f, 1.0f, fallen))),
+          smooth_step(0.0f, 0.6f, fallen)};
+}
+
+/// Builds the organs of a moment.
+class Moment {
+ public:
+  Moment(const Organs& full, const std::vector<Prototype>& prototypes, const Seasons& seasons, double time,
+         const GroundAt& ground)
+      : full_(full), prototypes_(prototypes), s_(seasons), year_(seasons.at.at(time)), ground_(ground) {
+    for (std::size_t p = 0; p < prototypes.size(); ++p)
+      if (prototypes[p].name == kBlossom) blossom_ = static_cast<int>(p);
+  }
+
+  Organs make(Seed seed) {
+    out_.reserve(full_.size());
+    for (std::size_t i = 0; i < full_.size(); ++i) {
+      const Prototype& shape = prototypes_[full_.prototype[i]];
+      bool leaf = !shape.parts.empty() && shape.parts[0].tissue == Tissue::leaf;
+      Seed own = seed.child("leaf", full_.id[i]).child(full_.prototype[i]);
+      if (!leaf && s_.flowering && shape.name != kBlossom)
+        add_own_flower(i, own);
+      else if (!leaf || s_.evergreen)
+        add(i, full_.prototype[i], {full_.position[i], full_.turn[i], 0}, full_.scale[i], full_.color[i]);
+      else
+        add_leaf(i, shape, own);
+      if (leaf && s_.blossom && blossom_ >= 0 && own.child("bears").unit() < s_.blossom->share)
+        for (int k = 0; k < s_.blossom->cluster; ++k)
+          add_flower(i, own.child("flower", static_cast<std::uint64_t>(k)));
+    }
+    return std::move(out_);
+  }
+
+ private:
+  void add(std::size_t i, std::size_t prototype, const Flight& at, Vec3 scale, std::int32_t color) {
+    out_.prototype.push_back(static_cast<std::uint16_t>(prototype));
+    out_.position.push_back(at.position);
+    out_.turn.push_back(at.turn);
+    out_.scale.push_back(scale);
+    out_.node.push_back(full_.node[i]);
+    out_.birth.push_back(full_.birth[i]);
+    out_.color.push_back(color);
+    out_.id.push_back(full_.id[i]);
+    out_.loose.push_back(at.loose);
+    if (!full_.supple.empty()) out_.supple.push_back(full_.supple[i] * (1 - at.loose));
+  }
+
+  /// The share of its size, 0..1, that a thing on its way down still has; one that comes to lie keeps it all.
+  float left(float fallen, Seed own) const {
+    bool lies = ground_ && own.child("lies").unit() < s_.litter;
+    return lies ? 1 : 1 - smooth_step(0.6f, 1.0f, fallen);
+  }
+
+  void add_leaf(std::size_t i, const Prototype& shape, Seed own) {
+    LeafState state = leaf_state(s_, year_, own);
+    float size = state.size * left(state.fallen, own);
+    // A sprig loses single leaves: it becomes smaller as it begins to fall.
+    if (shape.name == "sprig") size *= 1 - 0.55f * smooth_step(0.0f, 0.3f, state.fallen);
+    if (size < kLeast) return;
+    Flight at{full_.position[i], full_.turn[i], 0};
+    if (state.fallen > 0) at = flight(at.position, at.turn, state.fallen, own, ground_);
+    add(i, full_.prototype[i], at, full_.scale[i] * size, color_at(shape, full_.color[i], state.hue));
+  }
+
+  /// A flower or fruit of the plant itself.
+  void add_own_flower(std::size_t i, Seed own) {
+    constexpr double kOpen = 0.02;  // years in which it opens, and in which it withers
+    double half = s_.spread / 2;
+    Turn turn = turn_of(year_, s_.flowering->at - half);
+    double opens = half * (1 + own.child(turn.which).range(-1, 1));
+    double withers = std::min(opens + kOpen + s_.flowering->lasts, 1 - kOpen);
+    double size =
+        smooth_step(opens, opens + kOpen, turn.age) * (1 - smooth_step(withers, withers + kOpen, turn.age));
+    if (size < static_cast<double>(kLeast)) return;
+    add(i, full_.prototype[i], {full_.position[i], full_.turn[i], 0},
+        full_.scale[i] * static_cast<float>(size), full_.color[i]);
+  }
+
+  void add_flower(std::size_t i, Seed own) {
+    const Blossom& b = *s_.blossom;
+    double half = s_.spread / 2;
+    Turn turn = turn_of(year_, b.at - half - 0.02);
+    Seed lot = own.child(turn.which);
+    double opens = half + half * lot.child(0).range(-1, 1),
+           falls = opens + b.lasts + half * lot.child(1).unit();
+    auto fallen = static_cast<float>(std::clamp((turn.age - falls) / s_.drift, 0.0, 1.0));
+    auto size = static_cast<float>(smooth_step(opens, opens + 0.03, turn.age));
+    size *= (1 - 0.5f * smooth_step(0.0f, 0.25f, fallen)) * left(fallen, own);
+    size *= static_cast<float>(1 - smooth_step(0.03, 0.10, turn.age - falls - s_.drift));
+    if (size < kLeast) return;
+    auto wide = static_cast<float>(b.size);
+    Vec3 out = glm::normalize(
+        Vec3(own.child(2).range(-1, 1), own.child(3).range(-0.4, 1.2), own.child(4).range(-1, 1)) +
+        Vec3(0, 0.01f, 0));
+    Flight at{full_.position[i] + out * wide, Quat(Vec3(0, 1, 0), out), 0};
+    if (fallen > 0) at = flight(at.position, at.turn, fallen, lot, ground_);
+    add(i, static_cast<std::size_t>(blossom_), at, Vec3(wide * size), 0);
+  }
+
+  const Organs& full_;
+  const std::vector<Prototype>& prototypes_;
+  const Seasons& s_;
+  double year_;
+  const GroundAt& ground_;
+  int blossom_ = -1;
+  Organs out_;
+};
+
+}  // namespace
+
+void add_seasons(Prototype& leaf, const Seasons& seasons) {
+  if (leaf.parts.empty() || leaf.parts[0].tissue != Tissue::leaf) return;
+  std::vector<LeafTint> own;
+  for (const Color& c : leaf.colors) own.push_back({c, c, c});
+  leaf.summer = leaf.colors.size();
+  for (const LeafTint& tint : season_tints(own, seasons)) leaf.colors.push_back(tint.color);
+  if (leaf.colors.size() == leaf.summer) leaf.summer = 0;
+}
+
+LeafLook with_seasons(LeafLook look, const Seasons& seasons) {
+  std::vector<LeafTint> own;
+  for (const Color& c : look.colors) own.push_back({c, look.veins, look.rim});
+  look.turned = season_tints(own, seasons);
+  return look;
+}
+
+void add_blossom(std::vector<Prototype>& prototypes, const Seasons& seasons) {
+  if (!seasons.blossom) return;
+  const Blossom& b = *seasons.blossom;
+  BladeShape petal;
+  petal.width = 0.85, petal.widest = 0.62, petal.stalk = 0, petal.round = 0.85, petal.fold = radians(8.0);
+  Surface petals = corolla_surface(petal, b.petals, radians(62.0));
+  for (Vec3& p : petals.position) p *= 0.5f;
+  prototypes.push_back({std::string(kBlossom),
+                        {{Tissue::petal, std::move(petals)}, {Tissue::heart, heart_surface(0.08, 0.5, 12)}},
+                        {b.color},
+                        b.heart});
+}
+
+LeafState leaf_state(const Seasons& s, double year, Seed leaf) {
+  double half = s.spread / 2, first = s.opening - half - 0.02;
+  Turn turn = turn_of(year, first);
+  Seed lot = leaf.child(turn.which);
+  auto early = [&](double at, std::uint64_t k) {
+    return share(at - first) + half * lot.child(k).range(-1, 1);
+  };
+  double age = turn.age, opens = early(s.opening, 0);
+  // All of it happens within a year, whatever was asked for.
+  double falls = std::clamp(early(s.fall, 2), opens + 0.15, 0.88 - s.drift);
+  double turns = std::clamp(early(s.turning, 1), opens + kDarken, falls - 0.02);
+  double goes = 0.90 + 0.04 * lot.child(3).unit(), to = lot.child(4).range(0.3, 1.0);
+
+  LeafState state;
+  state.fallen = static_cast<float>(std::clamp((age - falls) / s.drift, 0.0, 1.0));
+  state.size =
+      static_cast<float>(smooth_step(opens, opens + kUnfold, age) * (1 - smooth_step(goes, 0.98, age)));
+  double turned = std::clamp((age - turns) / (falls - turns), 0.0, 1.0);
+  double withered = std::clamp((age - falls) / kWither, 0.0, 1.0);
+  state.hue = static_cast<float>(static_cast<double>(s.autumn.size()) * (to * turned + (1 - to) * withered) -
+                                 (1 - smooth_step(opens, opens + kDarken, age)));
+  return state;
+}
+
+double leaf_area_share(const Seasons& seasons, double year) {
+  constexpr int kLeaves = 64;
+  if (seasons.evergreen) return 1;
+  double sum = 0;
+  for (std::uint64_t i = 0; i < kLeaves; ++i) {
+    LeafState state = leaf_state(seasons, year, Seed{i});
+    sum += static_cast<double>(state.size * state.size * (1 - state.fallen));
+  }
+  return sum / kLeaves;
+}
+
+void in_season(Organs& organs, const std::vector<Prototype>& prototypes, const Seasons& seasons, double time,
+               Seed seed, const GroundAt& ground) {
+  organs = Moment(organs, prototypes, seasons, time, ground).make(seed);
+}
+
+void in_season(Model& model, const Seasons& seasons, double time, Seed seed, const GroundAt& ground) {
+  in_season(model.organs, model.prototypes, seasons, time, seed, ground);
+}
+
+}  // namespace frond

@@ -1,0 +1,162 @@
+#include "scene/unused_properties.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "preset/fault.h"
+#include "preset/json.h"
+#include "scene/describe.h"
+#include "scene/needs.h"
+#include "settings/settings.h"
+
+namespace frond {
+
+namespace {
+
+/// What of `place` sown copies and ivy pass over.
+constexpr std::string_view kScatter[] = {"center", "inner", "radius", "spacing", "rock"};
+constexpr std::string_view kStance[] = {"size_variation", "turn", "turn_variation", "each", "lean"};
+
+/// Whether a setting reads a property below the scene, by itself or as a part of its block.
+bool reads(const SettingRow& setting, std::string_view pointer) {
+  return std::ranges::any_of(setting.answers.reads, [&](std::string_view own) {
+    return pointer == own || (pointer.starts_with(own) && pointer[own.size()] == '/');
+  });
+}
+
+/// Whether it reads something of a block.
+bool reads_some(const SettingRow& setting, std::string_view block) {
+  return std::ranges::any_of(setting.answers.reads, [&](std::string_view own) {
+    return own.starts_with(block) && (own.size() == block.size() || own[block.size()] == '/');
+  });
+}
+
+class Finder {
+ public:
+  Finder(const Preset& preset, const std::string& file_name) : preset_(preset), file_name_(file_name) {}
+
+  Errors find() {
+    const Value* scene = preset_.written->find("scene");
+    const Value* setting = scene ? scene->find("setting") : nullptr;
+    bool set = setting && setting->origin.line == 0;
+    for (const SettingRow& row : settings()) note_block(row.block, set);
+    note_block("floor", set);
+    note_block("snow", set);
+    note_block("rain", set);
+    note_block("year", set);
+    const Value* organisms = preset_.written->find("organisms");
+    for (std::size_t i = 0; i < preset_.organisms.size(); ++i)
+      note_organism(preset_.organisms[i], organisms->items[i], fmt::format("/organisms/{}", i));
+    return notes_.errors();
+  }
+
+ private:
+  static const Value* at(const Value& root, std::string_view pointer) {
+    const Value* here = &root;
+    while (here && !pointer.empty()) {
+      std::string_view step = pointer.substr(1, pointer.find('/', 1) - 1);
+      here = here->find(step);
+      pointer.remove_prefix(step.size() + 1);
+    }
+    return here;
+  }
+
+  /// Whether it stands in the preset's own file or comes from the command line.
+  bool own(const Value& value) const {
+    const Origin& origin = value.origin;
+    return !value.inherited && origin.source && (origin.line == 0 || *origin.source == file_name_);
+  }
+
+  void note(const Value& value, const std::string& pointer, std::string_view why) {
+    if (own(value)) add({value.origin, pointer, fmt::format("does nothing here: {}", why)});
+  }
+
+  /// What the defaults say is said once.
+  void add(Fault fault) { notes_.add(std::move(fault)); }
+
+  /// A block of parameters of the scene, or what of it the setting does not heed. Where the setting comes
+  /// from the command line (`set`), what the file has for its own setting is left out.
+  void note_block(std::string_view name, bool set) {
+    std::string block = fmt::format("/{}", name);
+    const Value* value = at(*preset_.written, "/scene" + block);
+    if (!value) return;
+    auto note_unheeded = [&](const Value& what, const std::string& pointer, auto heed) {
+      if (set && what.origin.line != 0) return;
+      std::string names;
+      for (const SettingRow& row : settings())
+        if (heed(row, pointer)) names += fmt::format("{}{}", names.empty() ? "" : ", ", row.name);
+      note(what, "/scene" + pointer,
+           fmt::format("the setting is {}; it is for {}", settings()[preset_.setup.setting].name, names));
+    };
+    const SettingRow& setting = settings()[preset_.setup.setting];
+    if (!reads_some(setting, block)) return note_unheeded(*value, block, reads_some);
+    for (const Member& member : value->members)
+      if (std::string pointer = block + "/" + member.name; !reads(setting, pointer))
+        note_unheeded(member.value, pointer, reads);
+  }
+
+  void note_organism(const Organism& organism, const Value& written, const std::string& pointer) {
+    auto note_place = [&](std::string_view name, std::string_view why) {
+      if (const Value* value = at(written, fmt::format("/place/{}", name)))
+        note(*value, fmt::format("{}/place/{}", pointer, name), why);
+    };
+    bool ivy = organism.grower->traits().creeps();
+    if (ivy || organism.sown)
+      for (std::string_view name : kScatter)
+        note_place(name, ivy ? "ivy roots at place.at, or anywhere on its host"
+                             : "sown.where says where copies stand");
+    if (ivy)
+      for (std::string_view name : kStance) note_place(name, "ivy takes the shape of its host");
+    if (!ivy && !organism.sown && organism.place.rock > 0 && !rocks_)
+      note_place("rock", "rocks lie under water only");
+    for (std::string_view name : {"on", "upright"})
+      if (organism.sown || !organism.grower->traits().stands_on_bodies())
+        note_place(name, "only corals and their like that are not sown stand on bodies");
+    note_body(organism, written, pointer);
+    bool drawn = organism.grower->traits().branches && !organism.sown;
+    find_unmet(written, [&](const Value& value, const std::string& at, std::string_view need) {
+      if (!drawn && at.starts_with("/body/")) return;  // all of it does nothing
+      note(value, pointer + at, fmt::format("it needs {}", need));
+    });
+    note_motion(written, pointer, "wave", "amplitude");
+    if (!at(written, "/food/stretch")) note_motion(written, pointer, "food", "strength");
+    const Value* strength = at(written, "/food/strength");
+    if (strength && strength->number > 0 && strength->number <= kRadians)
+      add({strength->origin, pointer + "/food/strength",
+           fmt::format("is an angle in degrees; {:g} radians would be {:.6g}", strength->number,
+                       degrees(strength->number))});
+  }
+
+  /// How branches are drawn, where there are none.
+  void note_body(const Organism& organism, const Value& written, const std::string& pointer) {
+    const Value* body = written.find("body");
+    if (!body) return;
+    if (!organism.grower->traits().branches || organism.sown)
+      note(*body, pointer + "/body",
+           organism.sown ? "copies that are sown are drawn branch by branch"
+                         : "this kind has no branches, which it is for");
+  }
+
+  /// What moves only by a number that nobody gave.
+  void note_motion(const Value& written, const std::string& pointer, std::string_view motion,
+                   std::string_view strength) {
+    const Value* value = written.find(motion);
+    if (!value || value->members.empty() || value->find(strength)) return;
+    note(*value, fmt::format("{}/{}", pointer, motion),
+         fmt::format("its {} is not given and so is 0", strength));
+  }
+
+  const Preset& preset_;
+  const std::string& file_name_;
+  bool rocks_ = settings()[preset_.setup.setting].answers.extent(preset_.setup).rocks;
+  Faults notes_;
+};
+
+}  // namespace
+
+Errors unused_properties(const Preset& preset, const std::string& file_name) {
+  return Finder(preset, file_name).find();
+}
+
+}  // namespace frond
