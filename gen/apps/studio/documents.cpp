@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "core/content.h"
 #include "core/files.h"
+#include "core/read_as.h"
 #include "preset/json.h"
 #include "studio/carry.h"
 #include "studio/grammar_files.h"
@@ -41,12 +41,9 @@ bool lies_below(const fs::path& path, const fs::path& folder) {
 int take_number(std::string& text) {
   std::size_t colon = text.rfind(':');
   if (colon == text.npos) return 0;
-  int number = 0;
-  const char* end = text.data() + text.size();
-  auto [at, error] = std::from_chars(text.data() + colon + 1, end, number);
-  if (error != std::errc{} || at != end) return 0;
-  text.resize(colon);
-  return number;
+  std::optional<int> number = read_as<int>(std::string_view(text).substr(colon + 1));
+  if (number) text.resize(colon);
+  return number.value_or(0);
 }
 
 /// The picture in the gallery that shows a preset, by its path below presets/.

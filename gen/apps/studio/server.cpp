@@ -4,11 +4,10 @@
 #include <signal.h>
 #include <sys/signalfd.h>
 
-#include <charconv>
-
 #include "core/files.h"
 #include "core/machine.h"
 #include "core/parallel.h"
+#include "core/read_as.h"
 #include "render/process.h"
 #include "studio/answers.h"
 #include "studio/connections.h"
@@ -38,10 +37,7 @@ constexpr const char* kPolicy =
 
 /// The number of a question among those of its tab; 0 where it has none.
 std::uint64_t sequence_of(const Request& request) {
-  std::string text = request.get_param_value("seq");
-  std::uint64_t number = 0;
-  auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc{} && end == text.data() + text.size() ? number : 0;
+  return read_as<std::uint64_t>(request.get_param_value("seq")).value_or(0);
 }
 
 class Server {

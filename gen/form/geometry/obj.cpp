@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <limits>
 
+#include "core/read_as.h"
 #include "geometry/text_lines.h"
 
 namespace frond {
@@ -23,11 +23,8 @@ struct Supply {
   /// Negative where there can be none.
   std::int32_t take(std::string_view digits, int at) {
     constexpr long long kMost = std::numeric_limits<std::int32_t>::max();
-    long long index = 0;
-    auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
-    if (error != std::errc{} || end != digits.data() + digits.size() || index == 0 || index < -count ||
-        index > kMost)
-      return PolygonMesh::kNone;
+    long long index = read_as<long long>(digits).value_or(0);
+    if (index == 0 || index < -count || index > kMost) return PolygonMesh::kNone;
     if (index > count && index > wanted) wanted = index, line = at;
     return static_cast<std::int32_t>(index > 0 ? index - 1 : count + index);
   }
