@@ -131,11 +131,9 @@ Result<Upgrade> upgraded(const std::string& path, const std::optional<std::strin
   return upgrade_preset(*text, path, [&](const std::string& name) { return files->read(name).ok(); });
 }
 
-Errors old_form(const std::string& path, const std::optional<std::string>& assets) {
-  Result<Upgrade> today = upgraded(path, assets);
-  if (!today || today->changes.empty()) return {};
-  return {{path, fmt::format("is of an earlier version; `frond check --upgrade {}` carries it over",
-                             shell_quoted(path))}};
+Error old_form(const std::string& path) {
+  return {path, fmt::format("is of an earlier version; `frond check --upgrade {}` carries it over",
+                            shell_quoted(path))};
 }
 
 Result<Preset> load_preset(const PresetArguments& arguments) {
@@ -183,8 +181,8 @@ Result<Preset> load_preset(const PresetArguments& arguments) {
   }
   if (!preset) {
     Errors errors = preset.errors();
-    Errors old = old_form(arguments.path, arguments.assets);
-    errors.insert(errors.end(), old.begin(), old.end());
+    Result<Upgrade> today = upgraded(arguments.path, arguments.assets);
+    if (today && !today->changes.empty()) errors.push_back(old_form(arguments.path));
     return errors;
   }
   if (Errors errors = set_pictures(arguments, preset->film); !errors.empty()) return errors;
