@@ -191,14 +191,16 @@ class Server {
            {{"ok", true}, {"started", started_}, {"kept", scenes_.kept()}, {"room", options_.memory}});
     });
     server_.Get("/api/start", [this](const Request&, Response& response) {
+      // The schema, which is most of it, is written once.
+      static const std::string schema = ",\"schema\":" + serialize(preset_schema()) + "}";
       send(response, 200,
            {{"started", started_},
             {"machine", {{"cores", thread_count()}, {"farm", find_program("sbatch").has_value()}}},
-            {"schema", Json::parse(serialize(preset_schema()))},
             {"symbols", symbols_json()},
             {"preset", documents_.opened()},
             {"presets", documents_.shipped()},
             {"strips", documents_.strips()}});
+      response.body.replace(response.body.size() - 1, 1, schema);
     });
     server_.Get("/api/preset", [this](const Request& request, Response& response) {
       Result<Json> read = documents_.read(request.get_param_value("file"));
