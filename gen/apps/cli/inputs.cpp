@@ -40,8 +40,9 @@ Result<std::string> scaled_size(const Film& film, double scale) {
   return fmt::format("/film/size=[{},{}]", width, height);
 }
 
-/// Whether a text is the JSON of a grammar.
+/// Whether a text is the JSON of a grammar; one that does not even hold the word is not parsed.
 bool is_grammar_text(const std::string& text) {
+  if (text.find("axiom") == text.npos) return false;
   Result<Document> document = parse_json(text, "");
   return document && document->root.find("axiom") && !document->root.find("organisms");
 }
