@@ -190,14 +190,6 @@ Result<PolygonMesh> read_obj_mesh(std::string_view text, const std::string& name
   return std::move(parser.mesh);
 }
 
-Result<Surface> read_obj(std::string_view text, const std::string& name) {
-  Result<PolygonMesh> mesh = read_obj_mesh(text, name);
-  if (!mesh) return mesh.errors();
-  Result<PartedSurface> made = parted_surface(*mesh, {}, name);
-  if (!made) return made.errors();
-  return std::move(made->surface);
-}
-
 Result<LineSet> read_obj_lines(std::string_view text, const std::string& name) {
   ObjParser parser(text, name);
   if (Errors errors = parser.parse(); !errors.empty()) return errors;
