@@ -4,10 +4,17 @@
 
 #include <cmath>
 
-#include "geometry/mesh_file.h"
-
 namespace frond {
 namespace {
+
+/// The faces of a text as one mesh.
+Result<Surface> read_obj(std::string_view text, const std::string& name = "") {
+  Result<PolygonMesh> mesh = read_obj_mesh(text, name);
+  if (!mesh) return mesh.errors();
+  Result<PartedSurface> made = parted_surface(*mesh, {}, name);
+  if (!made) return made.errors();
+  return std::move(made->surface);
+}
 
 TEST(ReadObj, TakesQuadsNegativeIndicesAndSeveralObjects) {
   Result<Surface> mesh = read_obj(
@@ -103,12 +110,6 @@ TEST(ReadObj, WhatIsWrongIsToldWithItsLine) {
   }
   EXPECT_EQ(read_obj_lines(corners + "l 1 9\n", "m.obj").errors()[0].where, "m.obj:4");
   EXPECT_TRUE(read_obj("f 1/7/1 2/7/1 3/7/1 # first\nvn 0 0 +1\n" + corners).ok()) << "in any order";
-}
-
-TEST(ToUnit, StandsOnTheOrigin) {
-  Surface mesh = to_unit(*read_obj("v 2 3 0\nv 4 3 0\nv 3 7 0\nf 1 2 3\n"));
-  EXPECT_EQ(mesh.position[0], Vec3(-0.25f, 0, 0));
-  EXPECT_EQ(mesh.position[2], Vec3(0, 1, 0));
 }
 
 TEST(Obj, LineSets) {

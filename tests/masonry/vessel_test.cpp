@@ -13,6 +13,18 @@
 namespace frond {
 namespace {
 
+/// The volume of the body of revolution by Pappus of Alexandria: area times the path of its centroid. Cubic
+/// metres.
+double turned_volume(const std::vector<glm::dvec2>& outline) {
+  // Area and first moment of the polygon that the axis closes: 2 pi times the integral of the radius.
+  double moment = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    glm::dvec2 a = outline[i], b = outline[(i + 1) % outline.size()];
+    moment += (a.x + b.x) * (a.x * b.y - a.y * b.x) / 6;
+  }
+  return 2 * kPi * moment;
+}
+
 /// Vases whose curves rise, of the given degree.
 VesselShape random_vessel(int degree, Seed seed) {
   VesselShape shape;

@@ -14,11 +14,11 @@ constexpr double kBin = 0.002;  // mm
 
 TEST(Rain, DropsCarryTheRateThatItHas) {
   for (double rate : kRates) {
+    // The two laws were measured in different rains: together they carry up to 18 % more.
     double volume = 0;  // mm3 on a square metre in a second
     for (double d = kBin / 2; d < 12; d += kBin)
       volume += drop_density(rate, d) * kBin * kPi / 6 * d * d * d * terminal_speed(d);
     EXPECT_NEAR(volume * 0.0036 / rate, 1, 0.2) << rate;
-    EXPECT_NEAR(volume * 0.0036 / carried_rate(rate), 1, 0.01) << rate;
   }
 }
 
@@ -49,8 +49,8 @@ TEST(Rain, TakesLightByTheDropsCrossSections) {
 }
 
 TEST(Rain, IsNothingWhereItDoesNotRain) {
-  for (double nothing : {drop_density(0, 1), drops_thicker(0, 1), drops_landing(0, 1), carried_rate(0),
-                         rain_extinction(0), rain_clouds(0), wetness(0)})
+  for (double nothing : {drop_density(0, 1), drops_thicker(0, 1), drops_landing(0, 1), rain_extinction(0),
+                         rain_clouds(0), wetness(0)})
     EXPECT_EQ(nothing, 0);
 }
 

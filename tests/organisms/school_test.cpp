@@ -11,6 +11,13 @@
 namespace frond {
 namespace {
 
+/// Alignment of the headings at a step: 0 random .. 1 all equal.
+double polarization(const Trajectory& trajectory, int step) {
+  Vec3 sum(0);
+  for (int i = 0; i < trajectory.count; ++i) sum += trajectory.heading[trajectory.at(step, i)];
+  return trajectory.count > 0 ? glm::length(sum) / static_cast<float>(trajectory.count) : 0;
+}
+
 constexpr double kFilm = 4;
 constexpr int kFish = 80;
 

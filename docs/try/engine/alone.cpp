@@ -21,19 +21,6 @@ float Surroundings::light(Vec3) const { return 1; }
 
 Surroundings::Hold Surroundings::hold(Vec3 at, float) const { return {{at.x, 0, at.z}, {0, 1, 0}}; }
 
-AccretionWorld accretion_world(const Surroundings& around) {
-  return {[&](Vec3 at, float within) { return around.room(at, within); },
-          [&](Vec3 at) { return around.light(at); }};
-}
-
-Model model_of(Surface skin, std::vector<std::vector<Vec3>> past, const Material& material) {
-  Solid solid{std::move(skin), material};
-  solid.past = std::move(past);
-  Model model;
-  model.solids.place(model.solids.add_shape(std::move(solid)));
-  return model;
-}
-
 // Nothing is grown in a world here.
 
 std::vector<Result<Specimen>> LoneGrower::grow(std::span<const Bed>, const World&, const Step&) const {

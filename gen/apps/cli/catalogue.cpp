@@ -33,6 +33,16 @@ struct Entry {
   std::string group, name, doc;
 };
 
+/// The title of a preset, which is read whole only where it has none of its own.
+std::string title_of(const fs::path& file) {
+  Result<std::string> text = read_file(file);
+  Result<Document> document = text ? parse_json(*text, file.string()) : text.errors();
+  const Value* title = document ? document->root.find("title") : nullptr;
+  if (title && title->is(Value::Type::text)) return title->text;
+  Result<Preset> preset = document ? read_preset(*text, file.string(), {}) : document.errors();
+  return preset ? preset->title : "(has faults)";
+}
+
 std::vector<Entry> entries(const fs::path& root) {
   std::vector<Entry> list;
   for (const auto& row : organism_kinds())
@@ -43,10 +53,7 @@ std::vector<Entry> entries(const fs::path& root) {
   std::erase_if(
       files, [](const fs::path& file) { return file.extension() != ".json" || is_grammar(file.string()); });
   for (const fs::path& file : files) {
-    Result<std::string> text = read_file(file);
-    Result<Preset> preset = text ? read_preset(*text, file.string(), {}) : text.errors();
-    list.push_back(
-        {"presets", file.lexically_relative(root).string(), preset ? preset->title : "(has faults)"});
+    list.push_back({"presets", file.lexically_relative(root).string(), title_of(file)});
   }
   for (const TurtleSymbol& symbol : turtle_symbols())
     list.push_back({"symbols", std::string(symbol.name), std::string(symbol.doc)});

@@ -59,7 +59,7 @@ int check(const std::vector<std::string>& paths, const PresetArguments& common, 
       continue;
     }
     tell_notes(preset->notes);
-    if (Errors old = old_form(path, common.assets); !old.empty()) tell_notes(old);
+    if (preset->old) tell_notes({old_form(path)});
   }
   return result;
 }

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <charconv>
-
 #include "cli/commands.h"
 #include "cli/heartbeat.h"
 #include "cli/inputs.h"
@@ -9,6 +7,7 @@
 #include "cli/streams.h"
 #include "core/figures.h"
 #include "core/home.h"
+#include "core/read_as.h"
 #include "export/formats.h"
 
 namespace frond {
@@ -19,15 +18,15 @@ namespace {
 Errors set_detail(const std::string& text, ExportOptions& options) {
   bool pixels = text.ends_with("px");
   std::string_view number = std::string_view(text).substr(0, text.size() - (pixels ? 2 : 0));
-  double least = pixels ? 20 : 100, most = pixels ? 1e4 : 1e9, value = 0;
-  auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
-  if (error != std::errc{} || end != number.data() + number.size() || !(value >= least && value <= most))
+  double least = pixels ? 20 : 100, most = pixels ? 1e4 : 1e9;
+  std::optional<double> value = read_as<double>(number);
+  if (!value || !(*value >= least && *value <= most))
     return {Error{"--detail",
                   fmt::format("\"{}\" is neither 100 to 1e9 triangles, as in 250000, nor 20 to 10000 pixels, "
                               "as in 400px",
                               text)}};
-  options.detail = pixels ? detail_seen(value) : value;
-  options.pixels = pixels ? value : 0;
+  options.detail = pixels ? detail_seen(*value) : *value;
+  options.pixels = pixels ? *value : 0;
   return {};
 }
 

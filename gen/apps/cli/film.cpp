@@ -1,10 +1,9 @@
 #include "render/film.h"
 
-#include <charconv>
-
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "core/files.h"
+#include "core/read_as.h"
 #include "render/process.h"
 
 // Films and sheets of finished pictures: film.
@@ -13,11 +12,7 @@ namespace frond {
 
 namespace {
 
-bool is_number_above_zero(const std::string& text) {
-  double number = 0;
-  auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc{} && end == text.data() + text.size() && number > 0;
-}
+bool is_number_above_zero(const std::string& text) { return read_as<double>(text).value_or(0) > 0; }
 
 Errors make(const FilmArguments& arguments, std::vector<std::filesystem::path> pictures) {
   std::string ffmpeg = environment_or("FROND_FFMPEG", "ffmpeg");

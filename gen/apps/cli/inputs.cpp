@@ -40,8 +40,9 @@ Result<std::string> scaled_size(const Film& film, double scale) {
   return fmt::format("/film/size=[{},{}]", width, height);
 }
 
-/// Whether a text is the JSON of a grammar.
+/// Whether a text is the JSON of a grammar; one that does not even hold the word is not parsed.
 bool is_grammar_text(const std::string& text) {
+  if (text.find("axiom") == text.npos) return false;
   Result<Document> document = parse_json(text, "");
   return document && document->root.find("axiom") && !document->root.find("organisms");
 }
@@ -131,11 +132,9 @@ Result<Upgrade> upgraded(const std::string& path, const std::optional<std::strin
   return upgrade_preset(*text, path, [&](const std::string& name) { return files->read(name).ok(); });
 }
 
-Errors old_form(const std::string& path, const std::optional<std::string>& assets) {
-  Result<Upgrade> today = upgraded(path, assets);
-  if (!today || today->changes.empty()) return {};
-  return {{path, fmt::format("is of an earlier version; `frond check --upgrade {}` carries it over",
-                             shell_quoted(path))}};
+Error old_form(const std::string& path) {
+  return {path, fmt::format("is of an earlier version; `frond check --upgrade {}` carries it over",
+                            shell_quoted(path))};
 }
 
 Result<Preset> load_preset(const PresetArguments& arguments) {
@@ -183,8 +182,8 @@ Result<Preset> load_preset(const PresetArguments& arguments) {
   }
   if (!preset) {
     Errors errors = preset.errors();
-    Errors old = old_form(arguments.path, arguments.assets);
-    errors.insert(errors.end(), old.begin(), old.end());
+    Result<Upgrade> today = upgraded(arguments.path, arguments.assets);
+    if (today && !today->changes.empty()) errors.push_back(old_form(arguments.path));
     return errors;
   }
   if (Errors errors = set_pictures(arguments, preset->film); !errors.empty()) return errors;

@@ -30,8 +30,8 @@ Result<Preset> load_preset(const PresetArguments& arguments);
 /// What of a preset's file has another form today; `assets` is `--assets`.
 Result<Upgrade> upgraded(const std::string& path, const std::optional<std::string>& assets);
 
-/// A word about a preset of an earlier version, and what carries it over; empty where it is none.
-Errors old_form(const std::string& path, const std::optional<std::string>& assets);
+/// A word about a preset of an earlier version, and what carries it over.
+Error old_form(const std::string& path);
 
 /// The files that a preset or a grammar of that path may name; `named` is `--assets`.
 Result<Assets> assets_of(const std::string& path, const std::optional<std::string>& named);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -24,9 +23,8 @@ int number_in_name(const std::string& name) {
   std::string_view digits = name;
   if (!digits.starts_with("frame_") || !digits.ends_with(".png")) return 0;
   digits = digits.substr(6, digits.size() - 10);
-  int number = 0;
-  auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  return error == std::errc{} && number > 0 && name == frame_name(number) + ".png" ? number : 0;
+  int number = counting_number(digits);
+  return number > 0 && name == frame_name(number) + ".png" ? number : 0;
 }
 
 /// The frames in a folder by their numbers.

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
+#include "core/read_as.h"
 #include "preset/range_text.h"
 #include "scene/describe.h"
 
@@ -18,11 +18,8 @@ constexpr Range kDpi{.min = 1, .max = 10000};
 
 /// Takes a number above 0 off the front of a text; 0 where there is none.
 double consume_length(std::string_view& text) {
-  double number = 0;
-  auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || !(number > 0)) return 0;
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  return number;
+  double number = consume_as<double>(text).value_or(0);
+  return number > 0 ? number : 0;
 }
 
 bool consume_sign(std::string_view& text, std::string_view sign) {
@@ -38,10 +35,8 @@ double inches(std::string_view unit) {
 
 /// Takes a number of pixels, or per cent of `whole`, off the front of a text; negative where there is none.
 int consume_pixels(std::string_view& text, int whole) {
-  double number = -1;
-  auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || !(number >= 0 && number <= 1e6)) return -1;
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  double number = consume_as<double>(text).value_or(-1);
+  if (!(number >= 0 && number <= 1e6)) return -1;
   if (consume_sign(text, "%")) number *= whole / 100.0;
   return static_cast<int>(std::lround(number));
 }

@@ -2,9 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <optional>
 
 #include "cli/bar.h"
@@ -14,16 +12,10 @@
 #include "cli/messages.h"
 #include "cli/rendering.h"
 #include "cli/streams.h"
-#include "core/content.h"
-#include "core/files.h"
-#include "core/frame_name.h"
 #include "core/text.h"
-#include "core/work_folder.h"
-#include "jobs/jobs.h"
 #include "pipeline/out_folder.h"
-#include "render/film.h"
-#include "render/label.h"
 #include "render/process.h"
+#include "sheets/sheet.h"
 
 // Stills of one preset over seeds or over a value of it: sheet.
 
@@ -33,60 +25,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A value of a preset, and what it takes from picture to picture.
-struct Sweep {
-  std::string pointer, name;
-  std::vector<std::string> values;
-};
-
-bool consume_number(std::string_view& text, double& number) {
-  auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || !std::isfinite(number)) return false;
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  return true;
-}
-
-bool consume_colon(std::string_view& text) {
-  if (!text.starts_with(':')) return false;
-  text.remove_prefix(1);
-  return true;
-}
-
-Sweep sweep_of(std::string pointer, double from, double to, int count) {
-  Sweep sweep{std::move(pointer), "", {}};
-  for (int i = 0; i < count; ++i)
-    sweep.values.push_back(fmt::format("{:.6g}", from + (count > 1 ? i * (to - from) / (count - 1) : 0)));
-  return sweep;
-}
-
-Result<Sweep> read_sweep(const std::string& text) {
-  constexpr int kMost = 99;
-  std::size_t equals = text.rfind('=');
-  double from = 0, to = 0, count = 0;
-  std::string_view rest = std::string_view(text).substr(equals == text.npos ? text.size() : equals + 1);
-  if (text.starts_with('/') && consume_number(rest, from) && consume_colon(rest) &&
-      consume_number(rest, to) && consume_colon(rest) && consume_number(rest, count) && rest.empty() &&
-      count >= 1 && count <= kMost && count == std::floor(count))
-    return sweep_of(text.substr(0, equals), from, to, static_cast<int>(count));
-  return Error{
-      "",
-      fmt::format("--sweep needs POINTER=FROM:TO:COUNT, as in /organisms/0/pitch=10:60:6, not '{}'", text)};
-}
-
-/// What a picture is called by: the last step of the pointer, with the one before where that is an index.
-std::string name_of(const std::string& pointer) {
-  std::size_t last = pointer.rfind('/');
-  std::string name = pointer.substr(last + 1);
-  if (name.empty() || last == 0 || name.find_first_not_of("0123456789") != name.npos) return name;
-  return pointer.substr(pointer.rfind('/', last - 1) + 1);
-}
-
 Result<std::vector<Sweep>> read_sweeps(const RenderArguments& a) {
   constexpr int kMost = 99;
   std::vector<Sweep> sweeps;
   for (const std::string& text : a.sweeps) {
-    Result<Sweep> sweep = read_sweep(text);
-    if (!sweep) return sweep.errors();
+    std::optional<Sweep> sweep = read_sweep(text);
+    if (!sweep)
+      return Error{
+          "", "--sweep needs POINTER=FROM:TO:COUNT, as in /organisms/0/pitch=10:60:6, not '" + text + "'"};
     sweeps.push_back(std::move(*sweep));
   }
   if (a.seeds) {
@@ -97,9 +43,6 @@ Result<std::vector<Sweep>> read_sweeps(const RenderArguments& a) {
   }
   if (sweeps.empty()) return Error{"", "over what? --sweep or --contact-seeds"};
   if (sweeps.size() > 2) return Error{"", "a sheet has two directions, not three"};
-  for (Sweep& sweep : sweeps) sweep.name = name_of(sweep.pointer);
-  if (sweeps.size() > 1 && sweeps[0].name == sweeps[1].name)
-    for (Sweep& sweep : sweeps) sweep.name = sweep.pointer;
   return sweeps;
 }
 
@@ -115,32 +58,6 @@ Result<int> frame_shown(const RenderArguments& a) {
   if (frame < 1 || (*a.frames != fmt::format("{}", frame) && *a.frames != fmt::format("{0}-{0}", frame)))
     return Error{"", fmt::format("--frames needs one frame, as in 40-40, not '{}'", *a.frames)};
   return frame;
-}
-
-/// A picture of a sheet.
-struct SheetCell {
-  std::vector<std::string> sets;
-  std::string text;
-  fs::path folder;
-};
-
-std::vector<SheetCell> cells_of(const std::vector<Sweep>& sweeps, const fs::path& pictures) {
-  std::vector<SheetCell> cells;
-  std::vector<std::string> down = sweeps.size() > 1 ? sweeps[1].values : std::vector<std::string>{""};
-  for (const std::string& second : down)
-    for (const std::string& first : sweeps[0].values) {
-      SheetCell cell{{sweeps[0].pointer + "=" + first}, sweeps[0].name + " " + first, {}};
-      if (sweeps.size() > 1) {
-        cell.sets.push_back(sweeps[1].pointer + "=" + second);
-        cell.text += "   " + sweeps[1].name + " " + second;
-      }
-      // Its folder is named by what is set, so that another sheet finds it.
-      std::string all;
-      for (const std::string& set : cell.sets) all += set + '\n';
-      cell.folder = pictures / content_id(all).substr(0, 12);
-      cells.push_back(std::move(cell));
-    }
-  return cells;
 }
 
 /// What is wrong with one of the pictures: told before the first is made.
@@ -179,48 +96,6 @@ Result<int> render_cell(const RenderArguments& a, const SheetCell& cell, int fra
   return code;
 }
 
-/// Labels the pictures and puts them side by side.
-Errors make_sheet(const std::vector<SheetCell>& cells, int frame, int columns, const fs::path& sheet) {
-  WorkFolder work;
-  if (work.path().empty()) return {{"", "no folder can be made for the labels"}};
-  std::string ffmpeg = environment_or("FROND_FFMPEG", "ffmpeg");
-  Result<Manifest> manifest = manifest_in(cells[0].folder);
-  if (!manifest) return manifest.errors();
-  Labels labels(work.path());
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    if (Errors errors = labels.add(fmt::format("label{}", i), cells[i].text, manifest->size[0]);
-        !errors.empty())
-      return errors;
-  constexpr int kWidest = 16384;
-  SheetJob job{{}, sheet, columns, kWidest, ffmpeg};
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    fs::path picture = cells[i].folder / "frames" / (frame_name(frame) + ".png");
-    job.pictures.push_back(work.path() / fmt::format("{}.png", i));
-    Command command;
-    command.folder = work.path();
-    command.words = {ffmpeg,
-                     "-hide_banner",
-                     "-nostdin",
-                     "-loglevel",
-                     "error",
-                     "-y",
-                     "-i",
-                     "file:" + picture.string(),
-                     "-vf",
-                     (manifest->transparent ? "format=gbrap,premultiply=inplace=1," + over_checks() + ","
-                                            : std::string()) +
-                         "format=rgb24," + labels.filter(fmt::format("label{}", i)),
-                     "-frames:v",
-                     "1",
-                     "-update",
-                     "1",
-                     job.pictures.back().string()};
-    Result<int> code = run(command);
-    if (!code || *code != 0) return {{"", picture.string() + " could not be labelled"}};
-  }
-  return tile_sheet(job);
-}
-
 }  // namespace
 
 int sheet(const RenderArguments& a) {
@@ -249,10 +124,7 @@ int sheet(const RenderArguments& a) {
                                         i + 1, cells.size(), cells[i].text)}},
                       code ? static_cast<ExitCode>(*code) : kCouldNot);
   }
-  int columns = static_cast<int>((*sweeps)[0].values.size());
-  if (sweeps->size() == 1)
-    for (columns = 1; columns * columns < static_cast<int>(cells.size());) ++columns;
-  if (Errors errors = make_sheet(cells, *frame, columns, out / "sheet.png"); !errors.empty())
+  if (Errors errors = make_sheet(cells, *frame, columns_of(*sweeps), out / "sheet.png"); !errors.empty())
     return fail_run(errors, kCouldNot);
   put((out / "sheet.png").string() + "\n");
   return kDone;

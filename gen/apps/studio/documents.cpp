@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "core/content.h"
 #include "core/files.h"
+#include "core/read_as.h"
 #include "preset/json.h"
 #include "studio/carry.h"
 #include "studio/grammar_files.h"
@@ -41,12 +41,9 @@ bool lies_below(const fs::path& path, const fs::path& folder) {
 int split_number(std::string& text) {
   std::size_t colon = text.rfind(':');
   if (colon == text.npos) return 0;
-  int number = 0;
-  const char* end = text.data() + text.size();
-  auto [at, error] = std::from_chars(text.data() + colon + 1, end, number);
-  if (error != std::errc{} || at != end) return 0;
-  text.resize(colon);
-  return number;
+  std::optional<int> number = read_as<int>(std::string_view(text).substr(colon + 1));
+  if (number) text.resize(colon);
+  return number.value_or(0);
 }
 
 /// The picture in the gallery that shows a preset, by its path below presets/.
@@ -245,40 +242,32 @@ bool Documents::reaches(const fs::path& of) const {
 std::optional<Refusal> Documents::add_file(const std::string& name, const char* type,
                                            const std::string& content, const std::string& of,
                                            Json& saved) const {
-  if (!reaches(of)) return Refusal{409, {{"error", kSaveFirst}}};
-  FolderLock lock(folder_);
-  Result<PutFiles> own = put_beside(folder_, fs::path(name).stem().string() + type, content);
-  if (!own) return Refusal{500, {{"error", own.errors().front().text()}}};
-  made(*own, of, saved);
-  return std::nullopt;
+  return add(of, saved, 500,
+             [&] { return put_beside(folder_, fs::path(name).stem().string() + type, content); });
 }
 
 std::optional<Refusal> Documents::add_mesh(const std::string& name, const std::string& content,
                                            const std::map<std::string, std::string>& beside,
                                            const std::string& of, Json& saved) const {
-  if (!reaches(of)) return Refusal{409, {{"error", kSaveFirst}}};
-  FolderLock lock(folder_);
-  Result<PutFiles> own = put_mesh(folder_, name, content, beside);
-  if (!own) return Refusal{400, {{"error", own.errors().front().text()}}};
-  made(*own, of, saved);
-  return std::nullopt;
+  return add(of, saved, 400, [&] { return put_mesh(folder_, name, content, beside); });
 }
 
 std::optional<Refusal> Documents::add_grammar(const fs::path& grammar,
                                               const std::map<std::string, std::string>& texts,
                                               const std::string& of, Json& saved) const {
-  if (!reaches(of)) return Refusal{409, {{"error", kSaveFirst}}};
-  FolderLock lock(folder_);
-  Result<PutFiles> own = put_grammar(folder_, grammar, texts);
-  if (!own) return Refusal{500, {{"error", own.errors().front().text()}}};
-  made(*own, of, saved);
-  return std::nullopt;
+  return add(of, saved, 500, [&] { return put_grammar(folder_, grammar, texts); });
 }
 
-void Documents::made(const PutFiles& put, const std::string& of, Json& saved) const {
+std::optional<Refusal> Documents::add(const std::string& of, Json& saved, int fault,
+                                      const std::function<Result<PutFiles>()>& put) const {
+  if (!reaches(of)) return Refusal{409, {{"error", kSaveFirst}}};
+  FolderLock lock(folder_);
+  Result<PutFiles> own = put();
+  if (!own) return Refusal{fault, {{"error", own.errors().front().text()}}};
   // Files that name each other are known by their folder.
-  made_->add(put.name.substr(0, put.name.find('/')), of, put.fresh);
-  saved = {{"file", put.name}, {"path", (folder_ / put.name).string()}};
+  made_->add(own->name.substr(0, own->name.find('/')), of, own->fresh);
+  saved = {{"file", own->name}, {"path", (folder_ / own->name).string()}};
+  return std::nullopt;
 }
 
 Json errors_json(const Errors& errors) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -81,8 +82,9 @@ class Documents {
   /// Where a file that the page names is to be written; empty where it may not be.
   std::optional<std::filesystem::path> writable(const std::string& file) const;
 
-  /// Notes what was put beside the preset `of` for it.
-  void made(const PutFiles& put, const std::string& of, Json& saved) const;
+  /// Puts files beside the preset `of` and notes them for it; `fault` is the answer where they cannot be put.
+  std::optional<Refusal> add(const std::string& of, Json& saved, int fault,
+                             const std::function<Result<PutFiles>()>& put) const;
   /// Whether a preset may read what lies in the folder of one's own.
   bool reaches(const std::filesystem::path& of) const;
 

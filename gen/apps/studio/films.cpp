@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <atomic>
-#include <charconv>
 #include <system_error>
 #include <thread>
 
 #include "core/files.h"
 #include "core/frame_name.h"
+#include "core/read_as.h"
 #include "core/text.h"
 #include "farm/hand_over.h"
 #include "jobs/jobs.h"
@@ -62,10 +62,8 @@ std::vector<int> frames_there(const fs::path& folder) {
   std::vector<int> numbers;
   for (const fs::path& file : files_in(folder)) {
     std::string stem = file.stem().string();
-    int number = 0;
     if (file.extension() != ".png" || !stem.starts_with(kBegin)) continue;
-    auto [end, error] = std::from_chars(stem.data() + kBegin.size(), stem.data() + stem.size(), number);
-    if (error == std::errc{} && end == stem.data() + stem.size()) numbers.push_back(number);
+    if (auto number = read_as<int>(std::string_view(stem).substr(kBegin.size()))) numbers.push_back(*number);
   }
   std::ranges::sort(numbers);
   return numbers;

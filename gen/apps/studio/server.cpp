@@ -4,11 +4,10 @@
 #include <signal.h>
 #include <sys/signalfd.h>
 
-#include <charconv>
-
 #include "core/files.h"
 #include "core/machine.h"
 #include "core/parallel.h"
+#include "core/read_as.h"
 #include "render/process.h"
 #include "studio/answers.h"
 #include "studio/connections.h"
@@ -38,10 +37,7 @@ constexpr const char* kPolicy =
 
 /// The number of a question among those of its tab; 0 where it has none.
 std::uint64_t sequence_of(const Request& request) {
-  std::string text = request.get_param_value("seq");
-  std::uint64_t number = 0;
-  auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc{} && end == text.data() + text.size() ? number : 0;
+  return read_as<std::uint64_t>(request.get_param_value("seq")).value_or(0);
 }
 
 class Server {
@@ -195,14 +191,16 @@ class Server {
            {{"ok", true}, {"started", started_}, {"kept", scenes_.kept()}, {"room", options_.memory}});
     });
     server_.Get("/api/start", [this](const Request&, Response& response) {
+      // The schema, which is most of it, is written once.
+      static const std::string schema = ",\"schema\":" + serialize(preset_schema()) + "}";
       send(response, 200,
            {{"started", started_},
             {"machine", {{"cores", thread_count()}, {"farm", find_program("sbatch").has_value()}}},
-            {"schema", Json::parse(serialize(preset_schema()))},
             {"symbols", symbols_json()},
             {"preset", documents_.opened()},
             {"presets", documents_.shipped()},
             {"strips", documents_.strips()}});
+      response.body.replace(response.body.size() - 1, 1, schema);
     });
     server_.Get("/api/preset", [this](const Request& request, Response& response) {
       Result<Json> read = documents_.read(request.get_param_value("file"));

@@ -25,6 +25,13 @@ void push(std::vector<std::uint8_t>& to, const Color& c) {
   to.push_back(255);
 }
 
+DrawnPart& mesh_part(std::vector<DrawnPart>& parts, Json material) {
+  DrawnPart& part = parts.emplace_back();
+  part.head["kind"] = "mesh";
+  part.head["material"] = std::move(material);
+  return part;
+}
+
 /// Branches that have grown together, smooth or rough, or cubes.
 Result<DrawnPart> body_part(const DrawnBranches& branches) {
   Result<FusedMesh> mesh = branches.body();
@@ -68,9 +75,7 @@ void add_organs(const DrawList& drawn, std::vector<DrawnPart>& parts) {
       const OrganPart& shape = prototype.parts[k];
       if (shape.surface.triangle.empty()) continue;
       PlainLook look = plain_look(prototype, k, key.second);
-      DrawnPart& part = parts.emplace_back();
-      part.head["kind"] = "mesh";
-      part.head["material"] = material_json(look);
+      DrawnPart& part = mesh_part(parts, material_json(look));
       add_placed(part, shape.surface, group.at, look.both_sides);
       if (shape.tissue != Tissue::heart && shape.pictures.empty()) part.add("/instance_colors", group.color);
     }
@@ -85,9 +90,7 @@ void add_blades(const DrawList& drawn, std::vector<DrawnPart>& parts) {
     std::size_t color = drawn.blades[k].color;
     for (++k; k < drawn.blades.size() && drawn.blades[k].color == color; ++k)
       append(surface, drawn.blades[k].surface);
-    DrawnPart& part = parts.emplace_back();
-    part.head["kind"] = "mesh";
-    part.head["material"] = material_json(plain_look(look, color));
+    DrawnPart& part = mesh_part(parts, material_json(plain_look(look, color)));
     part.add_surface("", surface);
   }
 }
@@ -97,9 +100,7 @@ void add_bodies(const std::vector<DrawnBody>& bodies, std::vector<DrawnPart>& pa
     if (body.surface().triangle.empty()) continue;
     std::vector<float> at;
     for (const OrganPlace& place : body.places) push(at, place.at, place.turn, place.scale);
-    DrawnPart& part = parts.emplace_back();
-    part.head["kind"] = "mesh";
-    part.head["material"] = material_json(plain_look(body.solid->material));
+    DrawnPart& part = mesh_part(parts, material_json(plain_look(body.solid->material)));
     auto tile = tile_of(*body.solid);
     if (tile) part.head["material"]["tile"] = json_of(*tile);
     if (const Material& stone = body.solid->material; tile && !tile->unrolled && stone.moss > 0)
@@ -116,17 +117,13 @@ void add_bough_snow(const DrawList& drawn, double time, std::vector<DrawnPart>& 
   Json white = material_json({.color = {0.985f, 0.988f, 0.992f}, .gloss = 0.1, .both_sides = true});
   for (const Surface* surface : {&snow.heaps, &snow.ridges}) {
     if (surface->triangle.empty()) continue;
-    DrawnPart& part = parts.emplace_back();
-    part.head["kind"] = "mesh";
-    part.head["material"] = white;
+    DrawnPart& part = mesh_part(parts, white);
     part.add_surface("", *surface);
   }
   if (snow.tufts.empty()) return;
   std::vector<float> at;
   for (const OrganPlace& tuft : snow.tufts) push(at, tuft.at, glm::normalize(tuft.turn), tuft.scale);
-  DrawnPart& part = parts.emplace_back();
-  part.head["kind"] = "mesh";
-  part.head["material"] = white;
+  DrawnPart& part = mesh_part(parts, white);
   add_placed(part, tuft_surface(), at, false);
 }
 

@@ -69,15 +69,6 @@ constexpr Twin kTwins[] = {
     {U'\u0430', 'a'}, {U'\u0435', 'e'}, {U'\u043e', 'o'}, {U'\u0440', 'p'}, {U'\u0441', 'c'},
     {U'\u0443', 'y'}, {U'\u0445', 'x'}, {U'\u0455', 's'}, {U'\u0456', 'i'}, {U'\u0458', 'j'}};
 
-/// The number of a character that is right UTF-8.
-char32_t number_of(std::string_view character) {
-  auto first = static_cast<unsigned char>(character[0]);
-  if (character.size() == 1) return first;
-  char32_t code = first & (0x7fu >> character.size());
-  for (char c : character.substr(1)) code = code << 6 | (static_cast<unsigned char>(c) & 0x3fu);
-  return code;
-}
-
 /// What a character stands for; nothing where it is no lookalike.
 std::string meaning_of(char32_t code) {
   if (code >= 0xff01 && code <= 0xff5e) return std::string(1, static_cast<char>(code - 0xfee0));
@@ -93,7 +84,7 @@ std::optional<Lookalike> find_lookalike(std::string_view text, std::size_t from)
     std::size_t size = std::max<std::size_t>(character_size(text.substr(at, 4)), 1);
     std::string_view character = text.substr(at, size);
     if (size > 1) {
-      char32_t code = number_of(character);
+      char32_t code = code_of(character);
       if (std::string meant = meaning_of(code); meant == " ")
         return Lookalike{at, size, fmt::format("U+{:04X}", static_cast<unsigned>(code)), "a blank"};
       else if (!meant.empty())
@@ -107,7 +98,7 @@ std::optional<Lookalike> find_lookalike(std::string_view text, std::size_t from)
 
 char latin_lookalike(std::string_view character) {
   if (character.size() < 2 || character_size(character) != character.size()) return '\0';
-  const Twin* twin = std::ranges::find(kTwins, number_of(character), &Twin::other);
+  const Twin* twin = std::ranges::find(kTwins, code_of(character), &Twin::other);
   return twin == std::end(kTwins) ? '\0' : twin->latin;
 }
 

@@ -14,15 +14,6 @@ namespace {
 constexpr std::size_t kMostPlace = 400, kMostPointer = 400;
 constexpr std::string_view kGap = "[...]";
 
-/// The number of a character that is right UTF-8.
-char32_t code_of(std::string_view character) {
-  auto first = static_cast<unsigned char>(character[0]);
-  if (character.size() == 1) return first;
-  char32_t code = first & (0x7fu >> character.size());
-  for (char c : character.substr(1)) code = code << 6 | (static_cast<unsigned char>(c) & 0x3fu);
-  return code;
-}
-
 /// Whether a terminal does something else with it than to show it.
 bool steers(char32_t code) {
   bool control = code < 0x20 || (code >= 0x7f && code < 0xa0);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/read_as.h"
+
 namespace frond {
 
 void append(std::string& text, double value, int decimals) {
@@ -64,11 +66,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-int counting_number(std::string_view text) {
-  int number = 0;
-  auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc{} && end == text.data() + text.size() ? std::max(number, 0) : 0;
-}
+int counting_number(std::string_view text) { return std::max(read_as<int>(text).value_or(0), 0); }
 
 int consume_whole(std::string_view& text) {
   int number = 0;

@@ -10,6 +10,9 @@ namespace frond {
 /// does not begin with valid UTF-8. Overlong forms and surrogates are invalid.
 std::size_t character_size(std::string_view text);
 
+/// The number of a character that is valid UTF-8.
+char32_t code_of(std::string_view character);
+
 /// Offset of the first byte that is not valid UTF-8.
 std::optional<std::size_t> invalid_utf8(std::string_view text);
 

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/read_as.h"
 #include "core/utf8.h"
 
 namespace frond {
@@ -76,9 +76,8 @@ class Walk {
     std::size_t size = here_->items.size();
     std::size_t index = size;
     if (name != "-") {
-      auto [end, fault] = std::from_chars(name.data(), name.data() + name.size(), index);
-      bool number = fault == std::errc() && end == name.data() + name.size() && fmt::to_string(index) == name;
-      if (!number || index >= size) {
+      index = read_as<std::size_t>(name).value_or(size);
+      if (index >= size || fmt::to_string(index) != name) {
         std::string indices = size == 0   ? ""
                               : size == 1 ? "the index 0, or "
                                           : fmt::format("an index from 0 to {}, or ", size - 1);

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <string_view>
 
+#include "core/read_as.h"
 #include "preset/fault.h"
 #include "preset/reader.h"
 
@@ -70,10 +70,8 @@ class PaletteWalk {
       colors.push_back(std::move(color));
     }
     if (slash == value.text.npos) return colors;
-    std::size_t index = 0;
-    auto [end, wrong] = std::from_chars(place.data(), place.data() + place.size(), index);
-    if (wrong == std::errc() && end == place.data() + place.size() && index < colors.size())
-      return {colors[index]};
+    auto index = read_as<std::size_t>(place);
+    if (index && *index < colors.size()) return {colors[*index]};
     note(value, pointer,
          fmt::format("found the color \"{}\" of a palette; expected a number from 0 to {}", place,
                      colors.size() - 1));

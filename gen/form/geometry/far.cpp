@@ -182,9 +182,6 @@ Surface one_far_leaf(const Surface& surface, const Pieces& pieces, FarLeaf as) {
   return out;
 }
 
-namespace {
-
-/// The corners that triangles still have, of those of another surface.
 Surface with_corners_of(const Surface& surface, std::vector<std::array<std::uint32_t, 3>>&& triangles,
                         std::vector<std::uint32_t>* kept) {
   Surface out;
@@ -204,6 +201,8 @@ Surface with_corners_of(const Surface& surface, std::vector<std::array<std::uint
     }
   return out;
 }
+
+namespace {
 
 /// An error in metres as meshoptimizer takes it.
 float share_of_extent(double error, const std::vector<Vec3>& at) {

@@ -34,6 +34,10 @@ Surface far_leaves(const Surface& surface, const Pieces& pieces, int stride = 1,
 /// The whole surface as one far leaf, with the `uv` of the middle of its largest piece.
 Surface one_far_leaf(const Surface& surface, const Pieces& pieces, FarLeaf as = FarLeaf::diamond);
 
+/// A mesh of these triangles of another one, with the vertices that they have: `kept` receives those.
+Surface with_corners_of(const Surface& surface, std::vector<std::array<std::uint32_t, 3>>&& triangles,
+                        std::vector<std::uint32_t>* kept = nullptr);
+
 /// A mesh of about `triangles` triangles, at least 4 if it has them: the corners in each cell of a grid are
 /// merged, with normals and `uv` (meshoptimizer's sloppy simplification).
 Surface simplified(const Surface& surface, std::size_t triangles);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cctype>
 
-#include "core/bounds.h"
 #include "geometry/mesh_formats.h"
 #include "geometry/mtl.h"
 #include "geometry/obj.h"
@@ -130,14 +129,6 @@ MeshFrame unit_frame(const PolygonMesh& mesh) {
   double longest = std::max({size.x, size.y, size.z, 1e-30});
   return {.origin = {0.5 * (box.low.x + box.high.x), box.low.y, 0.5 * (box.low.z + box.high.z)},
           .scale = 1 / longest};
-}
-
-Surface to_unit(Surface surface) {
-  Bounds box = bounds_of(surface.position);
-  float longest = std::max(box.longest(), 1e-20f);
-  Vec3 foot = box.foot();
-  for (Vec3& p : surface.position) p = (p - foot) / longest;
-  return surface;
 }
 
 Errors load_unit_mesh(const NamedFile& file, Surface& mesh) {

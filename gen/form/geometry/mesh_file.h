@@ -24,9 +24,6 @@ Result<PolygonMesh> read_mesh_file(const NamedFile& file, std::string* content =
 /// A frame in which a mesh stands on the origin, y up, its longest side one unit long.
 MeshFrame unit_frame(const PolygonMesh& mesh);
 
-/// A mesh scaled to a longest box side of one unit, standing on the origin: the unit size of an organ.
-Surface to_unit(Surface surface);
-
 /// Reads the mesh of a file in its unit_frame(), for properties that name one.
 Errors load_unit_mesh(const NamedFile& file, Surface& mesh);
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <limits>
 
+#include "core/read_as.h"
 #include "geometry/text_lines.h"
 
 namespace frond {
@@ -23,11 +23,8 @@ struct Supply {
   /// Negative where there can be none.
   std::int32_t index_of(std::string_view digits, int at) {
     constexpr long long kMost = std::numeric_limits<std::int32_t>::max();
-    long long index = 0;
-    auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
-    if (error != std::errc{} || end != digits.data() + digits.size() || index == 0 || index < -count ||
-        index > kMost)
-      return PolygonMesh::kNone;
+    long long index = read_as<long long>(digits).value_or(0);
+    if (index == 0 || index < -count || index > kMost) return PolygonMesh::kNone;
     if (index > count && index > wanted) wanted = index, line = at;
     return static_cast<std::int32_t>(index > 0 ? index - 1 : count + index);
   }
@@ -191,14 +188,6 @@ Result<PolygonMesh> read_obj_mesh(std::string_view text, const std::string& name
   ObjParser parser(text, name);
   if (Errors errors = parser.parse(); !errors.empty()) return errors;
   return std::move(parser.mesh);
-}
-
-Result<Surface> read_obj(std::string_view text, const std::string& name) {
-  Result<PolygonMesh> mesh = read_obj_mesh(text, name);
-  if (!mesh) return mesh.errors();
-  Result<PartedSurface> made = parted_surface(*mesh, {}, name);
-  if (!made) return made.errors();
-  return std::move(made->surface);
 }
 
 Result<LineSet> read_obj_lines(std::string_view text, const std::string& name) {

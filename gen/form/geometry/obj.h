@@ -19,10 +19,6 @@ namespace frond {
 /// `name` and give the line.
 Result<PolygonMesh> read_obj_mesh(std::string_view text, const std::string& name);
 
-/// The faces of a Wavefront OBJ text as one mesh, in the text's own axes and unit. A text without a usable
-/// face is an error; other errors are those of read_obj_mesh().
-Result<Surface> read_obj(std::string_view text, const std::string& name = "");
-
 /// Polylines over numbered points.
 struct LineSet {
   std::vector<DVec3> place;

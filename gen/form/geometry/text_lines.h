@@ -1,12 +1,13 @@
 #pragma once
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+
+#include "core/read_as.h"
 
 namespace frond {
 
@@ -92,11 +93,8 @@ class TextLines {
 /// A word as a finite number of at most what a float holds, whatever the locale is; none if it is not one.
 inline std::optional<double> number_of(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
-  double x = 0;
-  auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), x);
-  bool whole = error == std::errc{} && end == word.data() + word.size();
-  if (!whole || !std::isfinite(x) || std::abs(x) > 3.4e38) return std::nullopt;
-  return x;
+  std::optional<double> x = read_as<double>(word);
+  return x && std::abs(*x) <= 3.4e38 ? x : std::nullopt;
 }
 
 }  // namespace frond

@@ -2,19 +2,13 @@
 
 #include <zlib.h>
 
-#include <cstdint>
-
 namespace frond {
 
-namespace {
-
-std::uint32_t number_at(std::string_view bytes, std::size_t at) {
+std::uint32_t big_endian_at(std::string_view bytes, std::size_t at) {
   std::uint32_t value = 0;
   for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
   return value;
 }
-
-}  // namespace
 
 std::optional<std::array<int, 2>> whole_png(std::string_view bytes) {
   constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
@@ -23,13 +17,13 @@ std::optional<std::array<int, 2>> whole_png(std::string_view bytes) {
   bytes.remove_prefix(kSignature.size());
   std::optional<std::array<int, 2>> size;
   while (bytes.size() >= kAround) {
-    std::size_t length = number_at(bytes, 0);
+    std::size_t length = big_endian_at(bytes, 0);
     if (length > bytes.size() - kAround) return std::nullopt;
     std::string_view named = bytes.substr(4, 4 + length), name = named.substr(0, 4);
     auto sum = crc32(0, reinterpret_cast<const Bytef*>(named.data()), static_cast<uInt>(named.size()));
-    if (sum != number_at(bytes, 8 + length)) return std::nullopt;
+    if (sum != big_endian_at(bytes, 8 + length)) return std::nullopt;
     if (!size && (name != "IHDR" || length < 8)) return std::nullopt;
-    if (!size) size = {static_cast<int>(number_at(bytes, 8)), static_cast<int>(number_at(bytes, 12))};
+    if (!size) size = {static_cast<int>(big_endian_at(bytes, 8)), static_cast<int>(big_endian_at(bytes, 12))};
     bytes.remove_prefix(kAround + length);
     if (name == "IEND") return bytes.empty() ? size : std::nullopt;
   }

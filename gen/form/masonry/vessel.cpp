@@ -266,14 +266,4 @@ Surface vessel_surface(const VesselProfile& profile, int sides) {
   return surface;
 }
 
-double turned_volume(const std::vector<glm::dvec2>& outline) {
-  // Area and first moment of the polygon that the axis closes: 2 pi times the integral of the radius.
-  double moment = 0;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    glm::dvec2 a = outline[i], b = outline[(i + 1) % outline.size()];
-    moment += (a.x + b.x) * cross(a, b) / 6;
-  }
-  return 2 * kPi * moment;
-}
-
 }  // namespace frond

@@ -48,10 +48,6 @@ Result<VesselProfile> vessel_profile(const VesselShape& shape);
 /// The vessel as a closed mesh; `uv` is (turn, 0..1; `along`). Vertices of the seam are duplicated.
 Surface vessel_surface(const VesselProfile& profile, int sides);
 
-/// The volume of the body of revolution by Pappus of Alexandria: area times the path of its centroid. Cubic
-/// metres.
-double turned_volume(const std::vector<glm::dvec2>& outline);
-
 /// Cubic Bézier spans, (radius, y), that follow the outline from axis to axis, for renderers with surfaces of
 /// revolution. A curve of degree 3 or less is one exact span; others are within `tolerance` metres.
 std::vector<std::array<glm::dvec2, 4>> vessel_spans(const VesselShape& shape, const VesselProfile& profile,

@@ -40,13 +40,6 @@ double drops_landing(double rate, double diameter) {
   return kDrops * (kFastFall / k * std::exp(-k * diameter) - kSlowFall / slow * std::exp(-slow * diameter));
 }
 
-double carried_rate(double rate) {
-  if (rate <= 0) return 0;
-  // The integral of pi/6 D^3 N(D) v(D); mm3 on a square metre in a second are 0.0036 mm/h.
-  double k = drop_slope(rate), slow = k + kFallGrows;
-  return 0.0036 * kPi / 6 * kDrops * 6 * (kFastFall / std::pow(k, 4) - kSlowFall / std::pow(slow, 4));
-}
-
 double rain_extinction(double rate) {
   // The integral of 2 pi/4 D^2 N(D); square millimetres in a cubic metre.
   return rate > 0 ? 1e-6 * kPi * kDrops / std::pow(drop_slope(rate), 3) : 0;

@@ -22,10 +22,6 @@ double terminal_speed(double diameter);
 /// Drops thicker than a diameter that land on a square metre in a second.
 double drops_landing(double rate, double diameter);
 
-/// The rate that all drops together carry, mm/h. The two laws were measured in different rains: it is up to
-/// 18 % more than the rate that one began with.
-double carried_rate(double rate);
-
 /// Light that is lost along a metre, by twice the cross sections of the drops.
 double rain_extinction(double rate);
 

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "core/files.h"
+#include "core/read_as.h"
 #include "cpfg/macros.h"
 
 namespace frond::cpfg {
@@ -57,9 +57,8 @@ std::vector<std::string> words_in(std::string_view text) {
 
 double leading_number(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
-  double value = 0;
-  auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc{} && std::isfinite(value) ? value : 0;
+  double value = consume_as<double>(word).value_or(0);
+  return std::isfinite(value) ? value : 0;
 }
 
 int leading_whole(std::string_view word) {

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <pugixml.hpp>
 
+#include "core/read_as.h"
 #include "core/text.h"
 
 namespace frond {
@@ -87,10 +87,8 @@ constexpr Parameter kParameters[] = {
 };
 
 std::optional<double> number_in(std::string_view text) {
-  double value = 0;
-  auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return {};
-  return value;
+  std::optional<double> value = read_as<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 const Parameter* find(std::string_view name, int& level) {

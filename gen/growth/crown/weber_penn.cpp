@@ -353,10 +353,7 @@ class Grower {
     std::vector<std::int32_t> order = order_branches(s);
     for (LeafSite& leaf : crown_.leaves) leaf.node = order[static_cast<std::size_t>(leaf.node)];
     if (tree_.detour) bend_aside(crown_, tree_.detour);
-    for (std::size_t i = 0; i < s.size(); ++i) {
-      std::int32_t p = s.parent[i];
-      s.distance[i] = p == Skeleton::kRoot ? 0 : s.distance[p] + glm::distance(s.position[p], s.position[i]);
-    }
+    set_distances(s);
     set_tip_distances(s);
     set_births(s);
   }

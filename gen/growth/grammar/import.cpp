@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <functional>
 
 #include "core/lookalike.h"
 #include "core/plain_text.h"
+#include "core/read_as.h"
 #include "grammar/import_text.h"
 #include "grammar/kind.h"
 
@@ -35,11 +35,8 @@ std::vector<Line> lines_of(std::string_view text) {
 }
 
 std::optional<double> number(std::string_view text) {
-  text = trim(text);
-  double value = 0;
-  auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
+  std::optional<double> value = read_as<double>(trim(text));
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 std::string place_in(const Line& line, std::string_view part) {

@@ -60,21 +60,25 @@ std::vector<AxisNode> axis_nodes(const GrownTree& t) {
       [&](std::size_t i) { return t.fell[i] == GrownTree::kNever; });
 }
 
+void turn_wood(GrownTree& t, std::span<const Quat> turn, std::span<const float> factor) {
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    t.side[i] = turn[i] * t.side[i];
+    t.radius[i] *= factor[i];
+    for (std::uint32_t k = t.ring.empty() ? 0 : t.first_ring[i]; !t.ring.empty() && k < t.first_ring[i + 1];
+         ++k)
+      t.ring[k] *= factor[i];
+  }
+  for (Scar& scar : t.scars) {
+    scar.direction = turn[scar.on] * scar.direction;
+    scar.radius *= factor[scar.on], scar.girth *= factor[scar.on];
+  }
+}
+
 std::vector<std::string> edit_tree(GrownTree& t, std::span<const Edit> edits) {
   Reshaped to = reshape({t.parent, t.axes}, t.tip, t.radius, edits);
   if (!to.any) return to.notes;
   t.tip = to.position;
-  for (std::size_t i = 0; i < t.size(); ++i) {
-    t.side[i] = to.turn[i] * t.side[i];
-    t.radius[i] *= to.factor[i];
-    for (std::uint32_t k = t.ring.empty() ? 0 : t.first_ring[i]; !t.ring.empty() && k < t.first_ring[i + 1];
-         ++k)
-      t.ring[k] *= to.factor[i];
-  }
-  for (Scar& scar : t.scars) {
-    scar.direction = to.turn[scar.on] * scar.direction;
-    scar.radius *= to.factor[scar.on], scar.girth *= to.factor[scar.on];
-  }
+  turn_wood(t, to.turn, to.factor);
   for (const CutEnd& end : to.ends) {
     const std::int32_t i = end.node, p = t.parent[i];
     if (p == GrownTree::kRoot) continue;

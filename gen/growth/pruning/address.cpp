@@ -7,6 +7,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "core/read_as.h"
+
 namespace frond {
 
 namespace {
@@ -91,9 +93,8 @@ Result<Address> parse_address(std::string_view given) {
     more = consume(rest, '/');
   }
   if (consume(rest, ':')) {
-    auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), address.share);
-    if (error != std::errc() || !(address.share >= 0 && address.share <= 1)) return fault();
-    rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+    address.share = consume_as<decltype(address.share)>(rest).value_or(-1);
+    if (!(address.share >= 0 && address.share <= 1)) return fault();
   }
   if (!rest.empty()) return fault();
   return address;

@@ -142,6 +142,28 @@ void write_chunks(const DrawnBranches& b, const ChunkOptions& options, std::size
   }
 }
 
+/// Takes the first kind of text into a group, and each other one into a text of its own.
+auto parted(Group& group, std::vector<std::string>& others) {
+  return [&](std::size_t kind, const std::string& text) {
+    kind == 0 ? group.add(text) : void(others[kind - 1] += text);
+  };
+}
+
+/// Writes texts as unions, each with a texture of its own. Gives how many there are.
+template <class Texture>
+std::size_t write_unions(const std::vector<std::string>& texts, const std::string& weather, const Out& out,
+                         const Texture& texture) {
+  std::size_t unions = 0;
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    if (texts[k].empty()) continue;
+    out(group_opening(texts[k]));
+    out(texts[k]);
+    out(fmt::format("{}{}}}\n", texture(k), weather));
+    ++unions;
+  }
+  return unions;
+}
+
 /// The sweeps of twigs: one union with one texture, and one for each other bark. Gives how many unions there
 /// are.
 template <class IsTwig>
@@ -155,22 +177,11 @@ std::size_t write_twigs(const PovSpace& space, const DrawnBranches& b, const Chu
     std::string& text = texts[others.empty() ? 0 : look.other(look.color_at(b.model, chunk.first))];
     if (append_sweep(text, space, b.rest(), b.pose, chunk, fine.within(), fine.decimals)) text += "}\n";
   };
-  write_chunks(b, options, 1 + others.size(), append, [&](std::size_t which, const std::string& text) {
-    if (which == 0)
-      group.add(text);
-    else
-      others[which - 1] += text;
-  });
+  write_chunks(b, options, 1 + others.size(), append, parted(group, others));
   std::string weather = weather_over(b.traits.snowy, b.traits.wet, Wetting::wood);
   std::size_t groups = group.close(fmt::format("{}{}}}\n", skin_texture(index), weather));
-  for (std::size_t k = 0; k < others.size(); ++k) {
-    if (others[k].empty()) continue;
-    out(group_opening(others[k]));
-    out(others[k]);
-    out(fmt::format("{}{}}}\n", skin_texture(index + look.color_of(k + 1)), weather));
-    ++groups;
-  }
-  return groups;
+  return groups + write_unions(others, weather, out,
+                               [&](std::size_t k) { return skin_texture(index + look.color_of(k + 1)); });
 }
 
 /// The sweeps of all chunks that are no twigs; those that show no pattern share textures. Gives how many
@@ -195,22 +206,10 @@ std::size_t write_sweeps(const PovSpace& space, const DrawnBranches& b, const Ch
     }
     text += "}\n";
   };
-  write_chunks(b, options, 1 + plain.size(), append, [&](std::size_t kind, const std::string& text) {
-    if (kind == 0)
-      group.add(text);
-    else
-      plain[kind - 1] += text;
-  });
+  write_chunks(b, options, 1 + plain.size(), append, parted(group, plain));
   std::string weather = weather_over(b.traits.snowy, b.traits.wet, Wetting::wood);
   std::size_t groups = group.close(whole ? fmt::format("{}{}}}\n", skin_texture(index), weather) : "}\n");
-  for (std::size_t k = 0; k < plain.size(); ++k) {
-    if (plain[k].empty()) continue;
-    out(group_opening(plain[k]));
-    out(plain[k]);
-    out(fmt::format("{}{}}}\n", shared.text(k, index), weather));
-    ++groups;
-  }
-  return groups;
+  return groups + write_unions(plain, weather, out, [&](std::size_t k) { return shared.text(k, index); });
 }
 
 /// Gives how many objects it is.

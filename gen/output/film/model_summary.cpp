@@ -1,9 +1,9 @@
 #include "film/model_summary.h"
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
+#include "core/read_as.h"
 #include "core/text.h"
 
 namespace frond {
@@ -19,10 +19,9 @@ class TokenReader {
 
   template <class Number>
   bool read(Number& number) {
-    std::string_view word = next();
-    const char* end = word.data() + word.size();
-    auto [at, fault] = std::from_chars(word.data(), end, number);
-    return good_ = good_ && fault == std::errc() && at == end;
+    std::optional<Number> value = read_as<Number>(next());
+    number = value.value_or(number);
+    return good_ = good_ && value;
   }
 
  private:

@@ -76,10 +76,7 @@ void add_ground(SoftLight& grid, const Scene& scene, Vec3 albedo) {
   LowCover cover = ground.low_cover();
   grid.add_land([&](Vec2 at) { return ground.height(at); }, albedo, static_cast<float>(cover.height),
                 static_cast<float>(cover.area));
-  SurfelSampler<IntoGrid> to{IntoGrid{grid}};
-  for (const ScatteredInstances& strewn : ground.strewn())
-    for (const ScatteredInstances::At& at : strewn.at)
-      to.surface(*strewn.shape, linear(strewn.color), true, at.place, at.turn, at.size);
+  SurfelSampler<IntoGrid>{IntoGrid{grid}}.strewn(ground.strewn());
 }
 
 void add_copies(SoftLight& grid, const Scene& scene, const Surfels& surfels, double time) {

@@ -26,12 +26,6 @@ std::error_code flush_to_disk(const fs::path& path) {
   return {};
 }
 
-std::size_t number_at(std::string_view bytes, std::size_t at) {
-  std::size_t value = 0;
-  for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
-  return value;
-}
-
 }  // namespace
 
 fs::path part_of(const fs::path& file) {
@@ -77,7 +71,7 @@ std::string without_time(std::string_view png) {
   while (at + 12 <= png.size()) {
     std::string_view type = png.substr(at + 4, 4);
     if (type == "IDAT") break;
-    std::size_t length = number_at(png, at) + 12;
+    std::size_t length = std::size_t{big_endian_at(png, at)} + 12;
     if (type != "tIME" && type != "tEXt") text += png.substr(at, length);
     at += length;
   }

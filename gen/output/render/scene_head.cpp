@@ -1,7 +1,8 @@
 #include "render/scene_head.h"
 
 #include <algorithm>
-#include <charconv>
+
+#include "core/read_as.h"
 
 namespace frond {
 
@@ -16,10 +17,9 @@ bool consume(std::string_view& text, std::string_view word) {
 
 template <class Number>
 bool consume_number(std::string_view& text, Number& number) {
-  auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{}) return false;
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  return true;
+  std::optional<Number> taken = consume_as<Number>(text);
+  number = taken.value_or(number);
+  return taken.has_value();
 }
 
 /// The name of the file of soft light in a line: "light_0123.rca" of "... +RFlight_0123.rca ..."; empty where

@@ -52,17 +52,11 @@ std::uintmax_t each_message(std::ifstream& in, std::uintmax_t size,
   return at;
 }
 
-std::uint32_t number_at(std::string_view bytes, std::size_t at) {
-  std::uint32_t number = 0;
-  for (std::size_t i = at; i < at + 4; ++i) number = number << 8 | static_cast<unsigned char>(bytes[i]);
-  return number;
-}
-
 /// The value of an attribute of a message: its name and type are four letters each, then its length.
 std::string_view attribute(std::string_view message, std::string_view name_and_type, std::size_t unit) {
   std::size_t at = message.find(name_and_type);
   if (at == message.npos || at + 12 > message.size()) return {};
-  std::size_t length = unit * number_at(message, at + 8);
+  std::size_t length = unit * big_endian_at(message, at + 8);
   return at + 12 + length > message.size() ? std::string_view() : message.substr(at + 12, length);
 }
 
@@ -77,7 +71,7 @@ bool draw_block(std::string_view message, const Tone& tone, Raster& picture) {
   for (std::size_t side = 0; std::string_view name : {"LeftINT4", "Top INT4", "RighINT4", "BottINT4"}) {
     std::string_view value = attribute(rest, name, 1);
     if (value.size() != 4) return false;
-    box[side++] = static_cast<int>(number_at(value, 0));
+    box[side++] = static_cast<int>(big_endian_at(value, 0));
   }
   auto [left, top, right, bottom] = box;
   if (left < 0 || top < 0 || right < left || bottom < top || right >= picture.width ||
@@ -90,7 +84,7 @@ bool draw_block(std::string_view message, const Tone& tone, Raster& picture) {
   for (int y = top; y <= bottom; ++y)
     for (int x = left; x <= right; ++x, at += 4 * kChannels)
       for (int c = 0; c < 3; ++c) {
-        auto light = std::bit_cast<float>(number_at(pixels, at + 4 * static_cast<std::size_t>(c)));
+        auto light = std::bit_cast<float>(big_endian_at(pixels, at + 4 * static_cast<std::size_t>(c)));
         double shown = toned(std::clamp<double>(light, 0, 1), tone);
         picture.data[picture.index(x, y, c)] = to_byte(srgb(Vec3(static_cast<float>(shown))).red);
       }

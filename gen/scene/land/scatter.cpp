@@ -33,11 +33,7 @@ void TakenSpots::quarter(std::size_t square, Vec2 middle) {
     const Spot& spot = spot_[static_cast<std::size_t>(i)];
     std::int32_t next = next_[static_cast<std::size_t>(i)];
     auto part = static_cast<std::size_t>(child + quarter_of(spot.at, middle));
-    Square& s = square_[part];
-    bool fresh = s.count == 0;
-    s.low = fresh ? spot.at : glm::min(s.low, spot.at);
-    s.high = fresh ? spot.at : glm::max(s.high, spot.at);
-    s.widest = std::max(s.widest, spot.radius);
+    square_[part].widen(spot);
     put(part, i);
     i = next;
   }
@@ -55,10 +51,7 @@ void TakenSpots::add(const Spot& spot) {
   std::size_t at = 0;
   for (int depth = 0;; ++depth) {
     Square& s = square_[at];
-    bool fresh = s.child < 0 && s.count == 0;
-    s.low = fresh ? spot.at : glm::min(s.low, spot.at);
-    s.high = fresh ? spot.at : glm::max(s.high, spot.at);
-    s.widest = std::max(s.widest, spot.radius);
+    s.widen(spot);
     if (s.child < 0 && (s.count < kMostInList || depth == kDeepest)) return put(at, index);
     if (s.child < 0) quarter(at, middle);
     std::int32_t part = quarter_of(spot.at, middle);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -31,6 +32,13 @@ class TakenSpots {
     std::int32_t child = -1;  // first of its four children, or -1: its spots are a list
     std::int32_t first = -1;  // first spot of that list
     int count = 0;            // length of that list
+
+    /// Before the spot is put into it.
+    void widen(const Spot& spot) {
+      low = count == 0 ? spot.at : glm::min(low, spot.at);
+      high = count == 0 ? spot.at : glm::max(high, spot.at);
+      widest = std::max(widest, spot.radius);
+    }
   };
   void put(std::size_t square, std::int32_t spot);
   void quarter(std::size_t square, Vec2 middle);

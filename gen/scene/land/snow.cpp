@@ -64,7 +64,8 @@ void CoverGrid::add(const Surface& body) {
     bottom_[cell] = std::min(bottom_[cell], low), top_[cell] = std::max(top_[cell], high);
     highest_ = std::max(highest_, high);
     auto at = static_cast<int>(cell);
-    float& of_block = highest_of_[static_cast<std::size_t>(at / side_ / block_ * blocks_ + at % side_ / block_)];
+    float& of_block =
+        highest_of_[static_cast<std::size_t>(at / side_ / block_ * blocks_ + at % side_ / block_)];
     of_block = std::max(of_block, high);
   };
   for (const auto& t : body.triangle) {

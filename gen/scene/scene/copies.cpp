@@ -329,25 +329,10 @@ int ModelBlocks::of(Vec3 at) const {
 }
 
 Surface in_block(const CopyPart& part, int block) {
-  const Surface& all = part.surface;
-  Surface out;
-  std::vector<std::uint32_t> number(all.position.size(), UINT32_MAX);
-  for (std::size_t t = 0; t < all.triangle.size(); ++t) {
-    if (part.block[t] != block) continue;
-    auto corners = all.triangle[t];
-    for (std::uint32_t& corner : corners) {
-      std::uint32_t from = corner;
-      if (number[from] == UINT32_MAX) {
-        number[from] = static_cast<std::uint32_t>(out.position.size());
-        out.position.push_back(all.position[from]);
-        out.normal.push_back(all.normal[from]);
-        if (!all.uv.empty()) out.uv.push_back(all.uv[from]);
-      }
-      corner = number[from];
-    }
-    out.triangle.push_back(corners);
-  }
-  return out;
+  std::vector<std::array<std::uint32_t, 3>> own;
+  for (std::size_t t = 0; t < part.surface.triangle.size(); ++t)
+    if (part.block[t] == block) own.push_back(part.surface.triangle[t]);
+  return with_corners_of(part.surface, std::move(own));
 }
 
 std::vector<CopyPart> copy_parts(const Look& look, const Model& model, const CopyDetail& detail,

@@ -20,6 +20,7 @@
 #include "scene/furnish.h"
 #include "scene/named_preset.h"
 #include "scene/unused_properties.h"
+#include "scene/upgrade.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -231,6 +232,10 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
                            const std::optional<std::filesystem::path>& only) {
   Result<Document> document = parse_json(text, file_name);
   if (!document) return document.errors();
+  Assets assets(file_name, only);
+  bool old = !upgrade_preset(text, document->root, [&](const std::string& name) {
+                return assets.read(name).ok();
+              }).changes.empty();
   Errors errors;
   auto set_all = [&](std::string_view beginning) {
     for (const std::string& set : sets)
@@ -240,7 +245,6 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   };
   // The base may be set, too, and all else is set over it.
   if (!set_all("/base=")) return errors;
-  Assets assets(file_name, only);
   std::vector<std::filesystem::path> read;
   assets.note_in(read);
   errors = lay_on_base(document->root, file_name, assets);
@@ -258,6 +262,7 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
     if (event.cut) event.cut->by_own = preset->version >= 2;
   preset->text = serialize(document->root);
   preset->files = std::move(read);
+  preset->old = old;
   preset->written = std::make_shared<const Value>(with_defaults(document->root));
   double reach = settings()[preset->setup.setting].answers.extent(preset->setup).reach;
   for (Error& error : furnish(*preset, reach, warnings))

@@ -40,7 +40,8 @@ struct Preset {
   std::shared_ptr<const Value> written;      ///< the same with its places, defaults merged into the organisms
   std::vector<std::filesystem::path> files;  ///< that were read for it, besides its own
   Errors notes;                              ///< no faults, but what the user should know
-  int version = 1;  ///< of the rules by which entries take their seeds, see scene/entry_seeds.h
+  int version = 1;   ///< of the rules by which entries take their seeds, see scene/entry_seeds.h
+  bool old = false;  ///< its file has what upgrade_preset() carries over
 };
 
 /// Reads a preset, and the one that it builds on. `file_name` is for messages and tells the folder; `sets`

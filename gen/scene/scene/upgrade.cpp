@@ -142,8 +142,13 @@ class Upgrader {
 Upgrade upgrade_preset(std::string_view text, const std::string& file_name,
                        const std::function<bool(const std::string& name)>& is_there) {
   Result<Document> document = parse_json(text, file_name);
-  if (!document || !document->root.is(Value::Type::object)) return {std::string(text), {}};
-  return Upgrader(text, document->root, is_there).upgrade();
+  return document ? upgrade_preset(text, document->root, is_there) : Upgrade{std::string(text), {}};
+}
+
+Upgrade upgrade_preset(std::string_view text, const Value& root,
+                       const std::function<bool(const std::string& name)>& is_there) {
+  if (!root.is(Value::Type::object)) return {std::string(text), {}};
+  return Upgrader(text, root, is_there).upgrade();
 }
 
 }  // namespace frond

@@ -43,10 +43,6 @@ class ForestGround final : public Grounds {
   /// The wood hides what is far off: there is none unless a preset asks for it.
   GroundEdge edge() const override;
   std::size_t bytes() const override;
-  std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>&, const Camera&,
-                                   double) const override {
-    return {};
-  }
 
   const StreamCourse& stream() const { return terrain_->stream(); }
   /// The surfaces of the stream's water and of its bed.

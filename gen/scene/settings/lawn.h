@@ -57,10 +57,6 @@ class Lawn final : public Grounds {
   LowCover low_cover() const override;
   GroundEdge edge() const override { return {.radius = radius_}; }
   std::size_t bytes() const override;
-  std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>&, const Camera&,
-                                   double) const override {
-    return {};
-  }
 
   /// The pond, the path and the beds; none in a meadow.
   const Plot& plot() const { return plot_; }

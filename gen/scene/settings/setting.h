@@ -172,8 +172,10 @@ class Grounds {
   /// Approximate memory, bytes.
   virtual std::size_t bytes() const { return bytes_of(floor_) + heights_.bytes(); }
   /// Messages for the user about how the objects fit into the setting. `things` returns the list of objects.
-  virtual std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>& things,
-                                           const Camera& camera, double film_end) const = 0;
+  virtual std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>& /*things*/,
+                                           const Camera& /*camera*/, double /*film_end*/) const {
+    return {};
+  }
 
  protected:
   void lay(Surface floor) {

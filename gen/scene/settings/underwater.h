@@ -42,10 +42,6 @@ class SeaFloor final : public Grounds {
   std::vector<ScatteredInstances> strewn() const override;
   std::vector<Specimen> furnishings() const override { return {}; }
   std::size_t bytes() const override;
-  std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>&, const Camera&,
-                                   double) const override {
-    return {};
-  }
 
   std::vector<Surface> stones;
   std::vector<StoneInstance> stone_instances;

@@ -97,6 +97,12 @@ struct SurfelSampler {
     });
   }
 
+  void strewn(const std::vector<ScatteredInstances>& list) const {
+    for (const ScatteredInstances& kind : list)
+      for (const ScatteredInstances::At& at : kind.at)
+        surface(*kind.shape, linear(kind.color), true, at.place, at.turn, at.size);
+  }
+
   void bodies(const std::vector<DrawnBody>& bodies) const {
     for (const DrawnBody& body : bodies) {
       PlainLook look = plain_look(body.solid->material);

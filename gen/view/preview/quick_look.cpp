@@ -166,19 +166,11 @@ Vec3 color_of(const Look& look) {
   return look.branches.plant() ? Vec3(0.10f, 0.16f, 0.05f) : Vec3(0.25f, 0.25f, 0.23f);
 }
 
-template <class Sink>
-void sample_strewn(const Sink& sink, const std::vector<ScatteredInstances>& list) {
-  SurfelSampler<Sink> to{sink};
-  for (const ScatteredInstances& strewn : list)
-    for (const ScatteredInstances::At& at : strewn.at)
-      to.surface(*strewn.shape, linear(strewn.color), true, at.place, at.turn, at.size);
-}
-
 /// The land's stones and all copies, in bits.
 template <class Sink>
 void sample_others(const Sink& sink, const Scene& scene, double time) {
   SurfelSampler<Sink> to{sink};
-  sample_strewn(sink, scene.ground->strewn());
+  to.strewn(scene.ground->strewn());
   const Surface round = ball();
   for (const CopySet& set : scene.copy_sets) {
     Vec3 color = color_of(set.appearance.look);
@@ -305,7 +297,7 @@ Raster quick_look(const Scene& scene, double time, std::array<int, 2> size) {
   }
   sample_others(sun, scene, time);
   sample_others(picture_sink, scene, time);
-  if (scene.far) sample_strewn(picture_sink, strewn_far(*scene.far));
+  if (scene.far) SurfelSampler<ToPicture>{picture_sink}.strewn(strewn_far(*scene.far));
 
   FloorDepth floor(scene.ground->floor(), lens, width, height);
   Raster picture(width, height, 3);

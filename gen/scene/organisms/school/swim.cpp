@@ -366,10 +366,4 @@ FishPose fish_at(const Trajectory& trajectory, int fish, double time) {
   return pose;
 }
 
-double polarization(const Trajectory& trajectory, int step) {
-  Vec3 sum(0);
-  for (int i = 0; i < trajectory.count; ++i) sum += trajectory.heading[trajectory.at(step, i)];
-  return trajectory.count > 0 ? glm::length(sum) / static_cast<float>(trajectory.count) : 0;
-}
-
 }  // namespace frond

@@ -66,7 +66,4 @@ struct FishPose {
 };
 FishPose fish_at(const Trajectory& trajectory, int fish, double time);
 
-/// Alignment of the headings at a step: 0 random .. 1 all equal.
-double polarization(const Trajectory& trajectory, int step);
-
 }  // namespace frond

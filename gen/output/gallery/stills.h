@@ -7,8 +7,8 @@
 
 #include "core/result.h"
 
-/// Hashes of the scenes that the pictures of docs/gallery show, which tell a picture that is older than what
-/// it shows.
+/// Stills that pictures of docs/gallery are made of, and hashes of their scenes, which tell a picture that is
+/// older than what it shows.
 namespace frond {
 
 /// A picture to be rendered.
@@ -20,6 +20,12 @@ struct Still {
   std::vector<std::string> sets;
 };
 
+/// A picture that was rendered, and a hash of the scene that it shows.
+struct Rendered {
+  std::filesystem::path picture;
+  std::string scene_id;
+};
+
 /// A hash of the scenes of a folder and of what they are made of there, with the macros of povinc that they
 /// reach and, where the folder has a build.ninja, the flags that POV-Ray is called with.
 Result<std::string> scene_id(const std::filesystem::path& root, const std::filesystem::path& folder,
@@ -27,6 +33,18 @@ Result<std::string> scene_id(const std::filesystem::path& root, const std::files
 
 /// The scenes of one frame in the folder of a film: one an exposure.
 std::vector<std::filesystem::path> scenes_of(const std::filesystem::path& film, int frame);
+
+/// Runs a program for the folder of Frond, whose words are for people.
+Errors call_for(const std::filesystem::path& root, std::vector<std::string> words,
+                const std::filesystem::path& folder = {});
+
+/// Writes the scene of a still in a folder.
+Errors write_scene(const std::filesystem::path& root, const Still& still,
+                   const std::filesystem::path& folder);
+
+/// Renders a still in a folder, unless it is there and nothing has changed.
+Result<Rendered> render_still(const std::filesystem::path& root, const Still& still,
+                              const std::filesystem::path& folder);
 
 /// A hash of all that the scenes of stills are made from: this program, their presets and the files these
 /// name, templates and macros. Empty where a preset cannot be read.

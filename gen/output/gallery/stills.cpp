@@ -1,18 +1,18 @@
-#include "cli/gallery_scenes.h"
+#include "gallery/stills.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/inputs.h"
 #include "core/content.h"
 #include "core/files.h"
 #include "core/frame_name.h"
 #include "core/text.h"
 #include "export/macros.h"
 #include "film/scene_content.h"
-#include "render/gallery.h"
+#include "gallery/gallery_list.h"
 #include "render/process.h"
 #include "render/scene_head.h"
+#include "scene/preset.h"
 
 namespace frond {
 
@@ -55,6 +55,43 @@ std::vector<fs::path> scenes_of(const fs::path& film, int frame) {
   return scenes;
 }
 
+Errors call_for(const fs::path& root, std::vector<std::string> words, const fs::path& folder) {
+  Command command;
+  std::string what = words[0];
+  command.words = std::move(words);
+  command.environment = {"FROND_HOME=" + root.string()};
+  command.folder = folder;
+  command.out = 2;
+  command.end_with = SIGTERM;
+  Result<int> code = run(command);
+  if (!code) return code.errors();
+  return *code == 0 ? Errors{} : Errors{{"", fmt::format("{} ended with exit code {}", what, *code)}};
+}
+
+Errors write_scene(const fs::path& root, const Still& still, const fs::path& folder) {
+  std::vector<std::string> words{own_program().string(),
+                                 "generate",
+                                 still.preset.string(),
+                                 "--out=" + folder.string(),
+                                 fmt::format("--frames={0}-{0}", still.frame),
+                                 fmt::format("--size={}x{}", still.size[0], still.size[1]),
+                                 "--quality=" + still.quality,
+                                 "--no-resolve",  // of a film eight frames more would be rendered
+                                 "-q"};
+  for (const std::string& set : still.sets) words.push_back("--set=" + set);
+  return call_for(root, words);
+}
+
+Result<Rendered> render_still(const fs::path& root, const Still& still, const fs::path& folder) {
+  if (Errors errors = write_scene(root, still, folder); !errors.empty()) return errors;
+  // Before it is rendered: what is a frame's own may go then.
+  Result<std::string> id = scene_id(root, folder / "frames", scenes_of(folder, still.frame));
+  if (!id) return id.errors();
+  std::string picture = "frames/" + frame_name(still.frame) + ".png";
+  if (Errors errors = call_for(root, {"ninja", picture}, folder); !errors.empty()) return errors;
+  return Rendered{folder / picture, std::move(*id)};
+}
+
 std::string source_id(const fs::path& root, const std::vector<Still>& stills) {
   std::string all;
   auto add = [&all](const fs::path& file) {
@@ -65,10 +102,8 @@ std::string source_id(const fs::path& root, const std::vector<Still>& stills) {
   for (const char* folder : {"povinc", "templates"})
     for (const fs::path& file : files_in(root / folder)) add(file);
   for (const Still& still : stills) {
-    PresetArguments arguments;
-    arguments.path = still.preset.string();
-    arguments.sets = still.sets;
-    Result<Preset> preset = load_preset(arguments);
+    Result<std::string> text = read_file(still.preset);
+    Result<Preset> preset = text ? read_preset(*text, still.preset.string(), still.sets) : text.errors();
     if (!preset) return {};
     all += fmt::format("{} {} {} {}\n", still.frame, fmt::join(still.size, "x"), still.quality,
                        fmt::join(still.sets, " "));

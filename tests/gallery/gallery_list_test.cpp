@@ -1,11 +1,10 @@
-#include "render/gallery.h"
+#include "gallery/gallery_list.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "core/files.h"
-#include "render/jpeg.h"
 
 namespace frond {
 
@@ -101,11 +100,6 @@ TEST(GrammarPreset, HoldsTheGrammarAndWhatItPlaces) {
   EXPECT_EQ(grammar_preset(layout, "{\"axiom\": \"F\"}\n"), "{\n\"grammar\":\n{\"axiom\": \"F\"}\n}\n");
   EXPECT_NE(grammar_preset(layout, "{\"axiom\": \"~b\"}\n").find("\"shape\": \"bud\""), std::string::npos);
   EXPECT_NE(grammar_preset(layout, "{\"axiom\": \"~L\"}\n").find("[{\"symbol\": \"L\""), std::string::npos);
-}
-
-TEST(Jpeg, PicturesAreLaidRowByRow) {
-  EXPECT_EQ(sheet_layout(1, 1, {8, 4}), "0_0");
-  EXPECT_EQ(sheet_layout(5, 2, {100, 50}), "0_0|104_0|0_54|104_54|0_108");
 }
 
 TEST(Gallery, HashesOfScenesAreReadAsTheyWereWritten) {

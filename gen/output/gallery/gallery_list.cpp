@@ -1,4 +1,4 @@
-#include "render/gallery.h"
+#include "gallery/gallery_list.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
