@@ -50,7 +50,7 @@ build --tests
 ctest --preset release -j 2 --no-tests=error -LE ^long$|^large$
 setup --all --quiet
 build --tests
-ctest --preset release -j 2 --no-tests=error -LE ^long$ -L ^large$
+ctest --preset release -j 2 --no-tests=error -LE ^long$ -L ^large$ --repeat until-pass:2
 ctest --preset asan -j 2 --no-tests=ignore
 TEXT
   grep -qx '    scripts/test.sh .*' "$ROOT/README.md"
