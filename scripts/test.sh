@@ -14,7 +14,7 @@ out, -R NAME runs those of a name.
 
   --all     also the tests labelled "large", and installs what they need; and then the quick ones of the
             library once more, in build-asan, with asserts and the address and undefined behaviour sanitizers
-  --rest    only what --all adds, for where the others have just been run; a test that fails runs once more, since
+  --rest    only what --all adds, for where the others have just been run; a large test that fails runs once more, since
             a browser or a queue of jobs keeps limits of time of its own on a busy machine: ctest shows both runs
   --help    this text
 

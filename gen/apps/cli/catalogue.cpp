@@ -33,7 +33,8 @@ struct Entry {
   std::string group, name, doc;
 };
 
-/// The title of a preset, which is read whole only where it has none of its own.
+/// The title of a preset, which is read whole only where it has none of its own. Other
+/// faults are for `frond check` to tell.
 std::string title_of(const fs::path& file) {
   Result<std::string> text = read_file(file);
   Result<Document> document = text ? parse_json(*text, file.string()) : text.errors();

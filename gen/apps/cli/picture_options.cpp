@@ -16,7 +16,7 @@ namespace {
 constexpr double kUsualDpi = 300;
 constexpr Range kDpi{.min = 1, .max = 10000};
 
-/// Takes a number above 0 off the front of a text; 0 where there is none.
+/// Consumes a number above 0 at the front of a text; 0 where there is none.
 double consume_length(std::string_view& text) {
   double number = consume_as<double>(text).value_or(0);
   return number > 0 ? number : 0;
@@ -33,7 +33,7 @@ double inches(std::string_view unit) {
   return unit == "cm" ? 1 / 2.54 : unit == "mm" ? 1 / 25.4 : unit == "in" ? 1 : 0;
 }
 
-/// Takes a number of pixels, or per cent of `whole`, off the front of a text; negative where there is none.
+/// Consumes a number of pixels, or per cent of `whole`, at the front of a text; negative where there is none.
 int consume_pixels(std::string_view& text, int whole) {
   double number = consume_as<double>(text).value_or(-1);
   if (!(number >= 0 && number <= 1e6)) return -1;

@@ -6,7 +6,7 @@
 
 namespace frond {
 
-/// Takes a number off the front of a text, in the form that std::from_chars() reads; none where there is
+/// Consumes a number at the front of a text, in the form that std::from_chars() reads; none where there is
 /// none.
 template <class Number>
 std::optional<Number> consume_as(std::string_view& text) {

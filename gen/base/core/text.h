@@ -33,7 +33,7 @@ std::vector<std::string> split(std::string_view text, char separator);
 
 /// The text as a whole number from 1 on; 0 if it is none or too large.
 int counting_number(std::string_view text);
-/// Takes a whole number from 0 on off the front of a text; 0 where there is none.
+/// Consumes a whole number from 0 on at the front of a text; 0 where there is none.
 int consume_whole(std::string_view& text);
 
 /// A receiver of a long text in pieces.

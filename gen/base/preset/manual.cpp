@@ -89,7 +89,7 @@ std::string kind_of(const Value& schema) {
   return type.empty() ? "value" : type;
 }
 
-/// Takes the unit off the end of a description: `How high it is (m)`.
+/// Splits the unit off the end of a description: `How high it is (m)`.
 std::string split_unit(std::string& text) {
   constexpr std::string_view kUnits[] = {"m",      "degrees", "s",     "1/s", "1/m2", "h",     "years",
                                          "pixels", "m2",      "bytes", "m/s", "Pa",   "kg/m2", "kg/m3"};
@@ -101,7 +101,7 @@ std::string split_unit(std::string& text) {
   return unit;
 }
 
-/// Takes what its names mean off the end of a description: `What it is. wild: as in a wood; tame: as in a
+/// Splits what its names mean off the end of a description: `What it is. wild: as in a wood; tame: as in a
 /// park`.
 void split_choices(const Value& names, Topic& topic) {
   std::string& text = topic.sentence;

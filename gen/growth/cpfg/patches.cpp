@@ -38,7 +38,7 @@ bool is_number_line(std::string_view line) {
   return !line.empty() && std::string_view("0123456789+-.").find(line[0]) != line.npos;
 }
 
-/// Takes a line of the head; numbers after its label.
+/// Reads a line of the head; numbers after its label.
 void read_head_line(std::string_view line, PatchHead& head) {
   std::vector<double> numbers = numbers_in(line);
   auto vector = [&] { return DVec3{numbers[0], numbers[1], numbers[2]}; };

@@ -23,9 +23,9 @@ void find_shadowed(const RuleSet& set, Errors& notes);
 /// decomposed again. Names one of them.
 Errors find_endless(const Grammar& grammar);
 
-/// Symbols that are produced but never used: no rule rewrites them, and they mean nothing to the turtle. Most
-/// often a typing mistake. Grammars that draw nothing, or have contexts, are checked for letters of other
-/// alphabets and for numbers of parameters only.
+/// Warns of symbols that are produced but never used: no rule rewrites them, and they mean nothing to the
+/// turtle. Most often a typing mistake. Grammars that draw nothing, or have contexts, are checked for letters
+/// of other alphabets and for numbers of parameters only.
 Errors review_warnings(const Grammar& grammar);
 
 /// Errors of a derivation; those without a place get that of the grammar.

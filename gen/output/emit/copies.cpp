@@ -206,7 +206,7 @@ std::string model_includes_text(const Scene& scene, const CopyPlan& plan, std::s
                                 std::optional<double> time) {
   std::string text;
   std::set<std::pair<bool, std::string>>
-      names;  // two stands may share a model; what is put together comes last
+      names;  // two copy sets may share a model; what is put together comes last
   for (std::size_t s = 0; s < scene.copy_sets.size() && !plan.drawn.empty(); ++s) {
     const Copies& copies = scene.copy_sets[s].copies;
     if (copies.span.empty() == time.has_value()) continue;

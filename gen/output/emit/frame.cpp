@@ -120,7 +120,7 @@ struct Fineness {
 };
 
 /// Writes a line for each chunk in turn, `append(texts, chunk)`, to one of `kinds` texts, which
-/// `receive(kind, text)` receives; parts of them at a time by several threads, so that neither all chunks nor
+/// go to `receive(kind, text)`; parts of them at a time by several threads, so that neither all chunks nor
 /// all lines are held at once.
 template <class Append, class Receive>
 void write_chunks(const DrawnBranches& b, const ChunkOptions& options, std::size_t kinds,

@@ -33,7 +33,7 @@ Model for_level(Model model, int level) {
   return model;
 }
 
-/// A model of one stand or, of one species, of several.
+/// A model of one copy set or, of one species, of several.
 struct SownModel {
   struct Use {
     std::size_t copy_set;

@@ -45,7 +45,7 @@ class Ninja {
   std::string answer(std::vector<std::string> words) const;
 
  private:
-  /// Takes a line that ninja has printed.
+  /// Reads a line that ninja has printed.
   void read_line(const std::string& line, End& end, const NinjaEvents& events);
   void tell_pending(const NinjaEvents& events);
   void follow(int pipe, End& end, const NinjaEvents& events);

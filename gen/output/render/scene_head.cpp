@@ -8,7 +8,7 @@ namespace frond {
 
 namespace {
 
-/// Takes a word off the front of a text; false where something else stands there.
+/// Consumes a word at the front of a text; false where something else stands there.
 bool consume(std::string_view& text, std::string_view word) {
   if (!text.starts_with(word)) return false;
   text.remove_prefix(word.size());

@@ -12,10 +12,10 @@ namespace frond {
 /// What the cameras of a film have of the far land. It is drawn once for all frames.
 struct FarView {
   double from = 0, to = 2 * kPi;  ///< directions in view, radians: 0 toward +x, a quarter turn toward +z
-  double pixel = 0.001;           ///< metres that a pixel is at 1 m
+  double pixel = 0.001;           ///< metres that a pixel is at 1 m; of a picture of at most 8.3 million
   double eye = 1.6;               ///< metres, the greatest height of a camera
   double aside = 0;               ///< metres from the middle to the farthest camera
-  double pixels = 1e5;            ///< of a picture, 4 million at most: what is drawn grows with them
+  double pixels = 1e5;            ///< of a picture, 8.3 million at most: what is drawn grows with them
 
   bool holds(Vec2 at) const;  ///< whether that place is in view from the middle
 };

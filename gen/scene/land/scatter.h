@@ -31,7 +31,7 @@ class TakenSpots {
     float widest = 0;         // largest radius
     std::int32_t child = -1;  // first of its four children, or -1: its spots are a list
     std::int32_t first = -1;  // first spot of that list
-    int count = 0;            // length of that list
+    int count = 0;            // spots put into that list so far; widen() reads it after quarter(), too
 
     /// Before the spot is put into it.
     void widen(const Spot& spot) {

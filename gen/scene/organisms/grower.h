@@ -155,7 +155,7 @@ class Grower {
   /// What stands for the kind with these parameters, in names and caches.
   virtual Keys keys() const = 0;
   virtual GrowerTraits traits() const = 0;
-  /// What is wrong or doubtful about one by itself; of all together see GrowerTraits::faults_together.
+  /// Faults and warnings of one by itself; of all together see GrowerTraits::faults_together.
   virtual Review review() const = 0;
   /// Predicted size; a derivation beyond its limits is an error with the figure and the step.
   virtual Result<SizeEstimate> estimate_size(Seed seed) const = 0;

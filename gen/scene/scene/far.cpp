@@ -10,9 +10,9 @@ namespace frond {
 
 namespace {
 
-constexpr int kLooks = 200;       // of a film, at most
-constexpr double kMargin = 0.06;  // radians beside what is in view
-constexpr double kPixels = 4e6;   // of a picture: a finer land would fill gigabytes
+constexpr int kLooks = 200;        // of a film, at most
+constexpr double kMargin = 0.06;   // radians beside what is in view
+constexpr double kPixels = 8.3e6;  // of a picture, as in 3840x2160: a finer land would fill gigabytes
 
 /// The shortest range of directions that holds all: the complement of the widest gap between them.
 void set_range(FarView& view, std::vector<std::array<double, 2>> ranges) {

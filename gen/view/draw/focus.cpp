@@ -55,7 +55,7 @@ struct FocusMiddle {
   }
 };
 
-/// What stands in the named stand: balls in the room of its copies, of which the one nearest to the axis
+/// The copies of the named set as balls in their room, of which the one nearest to the axis
 /// counts.
 std::optional<float> depth_of_copies(const CopySet& set, const Lens& lens, double time) {
   float nearest = kNoDepth, depth = kNoDepth;

@@ -7,7 +7,7 @@
 
 namespace frond {
 
-/// What counts as one surface: all organs of an organism do, all copies of a stand, all patches of grass;
+/// What counts as one surface: all organs of an organism do, all copies of a set, all patches of grass;
 /// each stone and block is one of its own.
 struct SurfaceName {
   ThingKind kind = ThingKind::nothing;
