@@ -5,6 +5,7 @@
 
 #include "scene/camera.h"
 #include "scene/copies.h"
+#include "settings/settings.h"
 
 namespace frond {
 
