@@ -43,7 +43,7 @@ def far_places(every):
 
 def main():
     frond, source = Path(sys.argv[1]).resolve(), Path(sys.argv[2])
-    every = 1 if "--all" in sys.argv else 13
+    every = 1 if "--all" in sys.argv else 20
     os.environ["FROND_HOME"] = str(source.resolve())
     wrong = []
     with tempfile.TemporaryDirectory() as folder:

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Kills runs at random moments and takes them up again; the end must have the same bytes as a run that nobody disturbed.
 
-    kill_test.py generate|render FROND SOURCE_DIR
+    kill_test.py generate|render FROND SOURCE_DIR [KILLS]
 """
 
 import os
@@ -15,7 +15,7 @@ import tempfile
 import time
 
 what, frond, source = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3]).resolve()
-KILLS = 6
+KILLS = int(sys.argv[4]) if len(sys.argv) > 4 else 2  # of each phase of generate, of each film of render
 STOPS = 2  # within a picture
 TRIES = 20  # at that
 IN_A_ROW = 2  # kills before a run may end
@@ -121,7 +121,6 @@ def kill_render(folder):
     runs = [("studio", "tiny_still", ["--set", "/scene/setting=studio", "--quality", "good", "--no-resolve", "--scale", "1.5"]),
             ("forest", "all_phases", ["--set", "/film/frames=1", "--quality", "draft"]), ("film", "tiny_film", []),
             ("resolved", "tiny_film", ["--quality", "good"])]
-    kills = -(-KILLS // len(runs))
     for name, preset, options in runs:
         def command(out, jobs):
             return [source / "scripts/render.sh", source / f"tests/presets/{preset}.json", "-o", folder / name / out,
@@ -131,12 +130,12 @@ def kill_render(folder):
         finish(command("whole", 1), name)
         length = time.monotonic() - begun
         killed = folder / name / "killed"
-        for _ in range(kills):
+        for _ in range(KILLS):
             run = start(command("killed", 2))
             time.sleep(chance.uniform(0, length))
             kill(run, chance.choice([signal.SIGKILL, signal.SIGTERM]))
-        finish(command("killed", 2), f"{name}, killed {kills} times")
-        same(files(folder / name / "whole"), files(killed), f"{name}, killed {kills} times")
+        finish(command("killed", 2), f"{name}, killed {KILLS} times")
+        same(files(folder / name / "whole"), files(killed), f"{name}, killed {KILLS} times")
         stop_within(lambda out: command(out, 2), folder / name)
 
 

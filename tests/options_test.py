@@ -3,6 +3,7 @@
 
 Usage: options_test.py FROND ROOT. An option that --help shows and the table below does not know is a failure, too.
 """
+import functools
 import hashlib
 import os
 import re
@@ -45,10 +46,11 @@ COMMANDS = {
     "passes": ([FILM, "-o", "out"], {**SEED, **SIZE, "--frames": "2", "--side": "2", "--albedo": None, "--views": None}),
     "draw": ([FILM, "-o", "out"], {**SEED, **SIZE, **PRINT, "--frames": "2", "--pen": "3", "--hatch": "9",
                                      "--dpi": [FILM, "-o", "out", "--print=1cm", "--dpi=72"]}),
-    "export": ([FILM, "-o", "out/a.glb", "-q"],
-               {**SEED, "--frame": "2", "--frames": "1-3", "--seeds": "2", "--sides": "4", "--detail": "400",
-                "--lods": "2", "--texture": "64", "--keys": [FILM, "-o", "out/a.glb", "--frames=1-6", "--keys=2"],
-                "--voxel": [FILM, "-o", "out/a.vdb", "--voxel=0.05"],
+    "export": ([STILL, "-o", "out/a.glb", "-q"],
+               {**SEED, "--sides": "4", "--detail": "400", "--lods": "2", "--texture": "64", "--seeds": "2",
+                "--frame": [FILM, "-o", "out/a.glb", "--frame=2"], "--frames": [FILM, "-o", "out/a.glb", "--frames=1-3"],
+                "--keys": [FILM, "-o", "out/a.glb", "--frames=1-6", "--keys=2"],
+                "--voxel": [STILL, "-o", "out/a.vdb", "--voxel=0.05"],
                 "--instances": [PLANT, "-o", "out/a.glb", "--instances"]}),
     "info": ([FILM], {**SEED, **SIZE, "--frames": "1-2", "--json": None, "--sizes": None, "--frame": "2",
               "--fps": [FILM, "--seconds=1", "--fps=5"]}),
@@ -77,12 +79,12 @@ def commands():
     return set(re.findall(r"^  ([a-z]+)  ", text, re.M))
 
 
-def result_of(command, words):
+def result_of(command, words, cache):
     """A hash of all that a call writes, says and returns; and what it says."""
     with tempfile.TemporaryDirectory() as folder:
         os.mkdir(os.path.join(folder, "out"))
         ran = subprocess.run([FROND, command, *words], cwd=folder, capture_output=True, timeout=300,
-                             env={**os.environ, "FROND_HOME": ROOT, "XDG_CACHE_HOME": folder, "NO_COLOR": "1"})
+                             env={**os.environ, "FROND_HOME": ROOT, "XDG_CACHE_HOME": cache, "NO_COLOR": "1"})
         all_of = hashlib.sha256(ran.stdout + bytes([ran.returncode]))
         if command in ("info", "look", "export"):
             all_of.update(ran.stderr)
@@ -103,19 +105,24 @@ def words_with(words, option, value):
 
 
 def main():
+    with tempfile.TemporaryDirectory() as cache:  # pictures of leaves and bark are drawn once for all calls
+        return judge(functools.cache(lambda command, *words: result_of(command, words, cache)))
+
+
+def judge(result):
     faults = [f"{command}: neither in the table nor tested elsewhere" for command in commands() - ELSEWHERE - set(COMMANDS)]
     for command, (words, values) in COMMANDS.items():
         shown = options_of(command)
         faults += [f"{command} {option}: not in the table" for option in sorted(shown - WITHOUT_RESULT - set(values))]
         faults += [f"{command} {option}: is no option of it" for option in sorted(set(values) - shown)]
-        usual, _ = result_of(command, words)
+        usual, _ = result(command, *words)
         for option, value in values.items():
             if option not in shown or (command, option) in ONLY_OF_SOME:
                 continue
             base = usual
             if isinstance(value, list):
-                base, _ = result_of(command, value[:-1])
-            got, said = result_of(command, words_with(words, option, value))
+                base, _ = result(command, *value[:-1])
+            got, said = result(command, *words_with(words, option, value))
             if got == base:
                 faults.append(f"{command} {option}: changes nothing")
             elif "Run with --help" in said:
