@@ -8,7 +8,7 @@ build_packages=(g++ cmake ninja-build ccache libglm-dev nlohmann-json3-dev libfm
   libpng-dev libturbojpeg0-dev libwebp-dev libpugixml-dev libembree-dev libopenvdb-dev
   libboost-iostreams-dev libxxhash-dev libcpp-httplib-dev libmeshoptimizer-dev libopenexr-dev pkgconf)
 run_packages=(povray ffmpeg)
-test_packages=(libgtest-dev libvalijson-dev libbenchmark-dev libtinyobjloader-dev bats clang-format shellcheck python3)
+test_packages=(libgtest-dev libvalijson-dev libbenchmark-dev libtinyobjloader-dev bats clang-format shellcheck python3 webp)
 # A node that came from elsewhere does, so its programs are looked for, not its packages.
 node_packages=()
 command -v node >/dev/null || node_packages+=(nodejs)

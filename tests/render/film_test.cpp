@@ -7,6 +7,7 @@
 #include "core/files.h"
 #include "core/work_folder.h"
 #include "images/raster.h"
+#include "render/animated_webp.h"
 
 namespace frond {
 
@@ -28,6 +29,48 @@ TEST(Gif, LongCommentsAreCutIntoBlocks) {
 }
 
 TEST(Gif, WhatIsNoneIsLeftAlone) { EXPECT_EQ(gif_with_comment("GIF", "reef"), "GIF"); }
+
+/// Pictures of 32x16 that are of one colour each, and may let through.
+std::vector<std::filesystem::path> pictures_of(const WorkFolder& work, const std::vector<int>& reds,
+                                               int channels) {
+  std::vector<std::filesystem::path> files;
+  for (int red : reds) {
+    Raster picture(32, 16, channels);
+    for (std::size_t i = 0; i < picture.data.size(); i += static_cast<std::size_t>(channels))
+      picture.data[i] = static_cast<std::uint8_t>(red);
+    files.push_back(work.path() / ("f" + std::to_string(files.size()) + ".png"));
+    EXPECT_TRUE(write_file(files.back(), *png_text(picture)));
+  }
+  return files;
+}
+
+TEST(AnimatedWebp, HoldsPicturesThatAreAlikeAsLongAsAllOfThem) {
+  WorkFolder work;
+  // What lets all through is alike, too.
+  for (int channels : {3, 4}) {
+    FilmJob job;
+    job.pictures = pictures_of(work, {200, 200, 200, 20, 200}, channels);
+    job.film = work.path() / "film.webp";
+    ASSERT_TRUE(encode_film(job).empty());
+    EXPECT_EQ(frames_in(job.film, "no_program", 24), 5) << channels;
+    std::string bytes = *read_file(job.film);
+    EXPECT_EQ(milliseconds_in_webp(bytes), 208);
+    EXPECT_EQ(milliseconds_in_webp(bytes.substr(0, bytes.size() - 9)), 0) << "cut off";
+  }
+}
+
+TEST(AnimatedWebp, NamesThePictureThatIsWrong) {
+  WorkFolder work;
+  FilmJob job;
+  job.pictures = pictures_of(work, {200, 20}, 3), job.film = work.path() / "film.webp";
+  ASSERT_TRUE(write_file(job.pictures[1], *png_text(Raster(16, 16, 3))));
+  Errors errors = encode_film(job);
+  ASSERT_EQ(errors.size(), 2u);
+  EXPECT_EQ(errors[0].where, job.pictures[1].string());
+  ASSERT_TRUE(write_file(job.pictures[1], "half of one"));
+  EXPECT_EQ(encode_film(job).size(), 2u);
+  EXPECT_FALSE(std::filesystem::exists(job.film));
+}
 
 TEST(Sheet, WhatIsTransparentIsNotBlack) {
   WorkFolder work;

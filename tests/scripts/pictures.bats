@@ -11,7 +11,7 @@ tag() { ffprobe -v error -show_entries "format_tags=$1" -of csv=p=0 "file:$2"; }
 size_of() { ffprobe -v error -select_streams v:0 -show_entries stream=width,height -of csv=p=0 "file:$1"; }
 color() { ffmpeg -nostdin -loglevel error -f lavfi -i "color=$1:s=${3:-64x48},format=rgb24" -frames:v 1 -update 1 -y "$2"; }
 
-@test "a film may be MP4, WebM or GIF, has its frames, and title and seed in its metadata" {
+@test "a film may be MP4, WebM, GIF or WebP, has its frames, and title and seed in its metadata" {
   for format in mp4 webm gif; do
     "$RENDER" film.json --format "$format" --set '/title=A $(title): "x"'
     [ "$(frames_of "out/film/film.$format")" -eq 6 ]
@@ -23,13 +23,26 @@ color() { ffmpeg -nostdin -loglevel error -f lavfi -i "color=$1:s=${3:-64x48},fo
   [ "$(tag comment out/film/film.mp4)" = "seed 3" ]
   [ "$(tag COMMENT out/film/film.webm)" = "seed 3" ]
   [ "$(tag comment out/film/film.gif)" = '"A $(title): ""x""; seed 3"' ]
+  # The program of the library says what is in a WebP, which ffmpeg does not read.
+  "$RENDER" film.json --format webp --set '/title=A $(title): "x"'
+  webpinfo -quiet out/film/film.webp
+  webpmux -info out/film/film.webp >info
+  [ "$(awk '/^ +[0-9]+:/ {sum += $7} END {print sum}' info)" -eq 1000 ]  # 6 frames, 6 a second
+  grep -q "Loop Count : 0" info
+  webpmux -get xmp out/film/film.webp -o xmp
+  grep -q '>A $(title): &quot;x&quot;<.*>seed 3<' xmp
+  run "$RENDER" film.json --format webp --set '/title=A $(title): "x"'
+  [[ $output == *"Nothing to render"* ]]
+  run "$FROND_BIN" compare out/film/film.webp out/film/film.mp4
+  [ "$status" -eq 2 ]
+  [[ $output == *"expected .png, .mp4, .mov, .webm or .gif"* ]]
   sha256sum out/film/film.* >before
   rm out/film/film.*
-  for format in mp4 webm gif; do "$RENDER" film.json --format "$format" --set '/title=A $(title): "x"'; done
+  for format in mp4 webm gif webp; do "$RENDER" film.json --format "$format" --set '/title=A $(title): "x"'; done
   sha256sum -c before
   run "$RENDER" film.json --format avi
   [ "$status" -eq 2 ]
-  [[ $output == *"--format needs mp4, webm, gif or mov, not 'avi'"* ]]
+  [[ $output == *"--format needs mp4, webm, gif, webp or mov, not 'avi'"* ]]
 }
 
 @test "no film of other frames is left beside the new one" {

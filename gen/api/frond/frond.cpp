@@ -287,8 +287,8 @@ void write_frames(const Preset& preset, const fs::path& folder, const RenderOpti
 std::vector<fs::path> render(const Preset& preset, const fs::path& folder, const RenderOptions& options,
                              Listener* listener) {
   if (!options.format.empty() && std::ranges::find(kFilmFormats, options.format) == std::end(kFilmFormats))
-    throw Failure({{"", fmt::format("format: expected mp4, webm, gif or mov, not '{}'", options.format)}},
-                  true);
+    throw Failure(
+        {{"", fmt::format("format: expected mp4, webm, gif, webp or mov, not '{}'", options.format)}}, true);
   Ears ears(listener);
   RenderSettings settings{.out = folder,
                           .format = options.format,

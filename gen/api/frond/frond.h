@@ -165,10 +165,10 @@ Scene grow(const Preset& preset, Listener* listener = nullptr);
 
 struct RenderOptions {
   std::optional<std::array<int, 2>> frames = {};  ///< first and last; none: all
-  std::string format = {};                        ///< mp4, webm, gif or mov; empty: mp4, or mov with opacity
-  int jobs = 0;                                   ///< processors; 0: all
-  int every = 1;                                  ///< each K-th frame first, then those between
-  bool watch = false;                             ///< keeps watch.png, which shows what is being traced
+  std::string format = {};  ///< mp4, webm, gif, webp or mov; empty: mp4, or mov with opacity
+  int jobs = 0;             ///< processors; 0: all
+  int every = 1;            ///< each K-th frame first, then those between
+  bool watch = false;       ///< keeps watch.png, which shows what is being traced
   /// Whether frames are resolved from raw ones of one sample a pixel; none: in the quality good.
   std::optional<bool> resolve = {};
   /// The program `frond`, which what is rendered calls; empty: $FROND_BIN, the one that came with the

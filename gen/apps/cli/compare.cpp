@@ -29,18 +29,23 @@ struct Side {
   bool picture() const { return file.extension() == ".png"; }
 };
 
+constexpr std::string_view kUnread = "webp";  // the format of films that ffmpeg of Debian 12 does not read
+
 /// The film or picture that a path stands for.
 Result<fs::path> found(const std::string& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) {
     for (const std::string& name : result_files())
-      if (name != "contact.png" && fs::is_regular_file(fs::path(path) / name, error))
+      if (name != "contact.png" && name != film_file(kUnread) &&
+          fs::is_regular_file(fs::path(path) / name, error))
         return fs::path(path) / name;
     return Error{"", path + ": a folder without film or still"};
   }
   if (!fs::is_regular_file(path, error)) return Error{"", path + ": no such film or picture"};
   std::string type = fs::path(path).extension();
-  auto is_its = [&](std::string_view format) { return type == "." + std::string(format); };
+  auto is_its = [&](std::string_view format) {
+    return format != kUnread && type == "." + std::string(format);
+  };
   if (type != ".png" && std::ranges::none_of(kFilmFormats, is_its))
     return Error{"", path + ": expected .png, .mp4, .mov, .webm or .gif"};
   return fs::path(path);

@@ -118,9 +118,9 @@ Errors judge_render(const RenderArguments& a, const Film& film) {
     return {{"--why", fmt::format("{} is no frame of this {}; expected {}-{}", a.why,
                                   a.frames ? "run" : "film", range->first, range->last)}};
   if (film.transparent() && a.format == "mp4")
-    return {{"--format", "an mp4 has no opacity; expected mov, webm or gif"}};
+    return {{"--format", "an mp4 has no opacity; expected mov, webm, webp or gif"}};
   if (!film.transparent() && a.format == "mov")
-    return {{"--format", "a mov is for a transparent film; expected mp4, webm or gif"}};
+    return {{"--format", "a mov is for a transparent film; expected mp4, webm, webp or gif"}};
   return {};
 }
 

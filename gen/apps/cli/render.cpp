@@ -50,7 +50,7 @@ int list_presets() {
 /// What is wrong with the words of a call; empty where nothing is.
 std::string wrong_words(const RenderArguments& a) {
   if (!a.format.empty() && std::ranges::find(kFilmFormats, a.format) == std::end(kFilmFormats))
-    return fmt::format("--format needs mp4, webm, gif or mov, not '{}'", a.format);
+    return fmt::format("--format needs mp4, webm, gif, webp or mov, not '{}'", a.format);
   if (a.plot && !a.plot->ends_with(".svg"))
     return fmt::format("--plot needs a name that ends in .svg, not '{}'", *a.plot);
   return {};

@@ -122,7 +122,7 @@ void add_render(CLI::App& app, int& result) {
   add_run(command, *to);
   add_resolving(command, to->resolve);
   command->add_option("--format", to->format,
-                      "mp4, webm, gif or mov, of the film (mp4; mov where it is transparent)");
+                      "mp4, webm, gif, webp or mov, of the film (mp4; mov where it is transparent)");
   command
       ->add_option(
           "--every", to->every,

@@ -161,7 +161,7 @@ std::string ninja_text(const JobList& jobs) {
                        (jobs.transparent ? " --alpha" : ""),
                    "$out");
   std::string first = film_file(film_format(jobs.transparent));
-  for (const std::string& film : {first, film_file("webm"), film_file("gif")})
+  for (const std::string& film : {first, film_file("webm"), film_file("gif"), film_file("webp")})
     append_build(text, film, "film", jobs.frames);
 
   std::vector<int> sheet = sheet_frames(jobs.frames);

@@ -47,7 +47,7 @@ std::string_view povray_flags(std::string_view quality, bool lens);
 
 /// What a film may be; one of frames without opacity is the first of these unless it is asked for otherwise,
 /// one with opacity the second.
-inline constexpr std::string_view kFilmFormats[] = {"mp4", "mov", "webm", "gif"};
+inline constexpr std::string_view kFilmFormats[] = {"mp4", "mov", "webm", "gif", "webp"};
 inline constexpr std::string_view film_format(bool transparent) { return kFilmFormats[transparent ? 1 : 0]; }
 
 /// The name of a film in the folder of its frames.

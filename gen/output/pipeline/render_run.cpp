@@ -98,7 +98,7 @@ void RenderRun::remove_old_results() {
   fs::path film = settings_.out / wanted[0];
   events_.doing("counting the frames of the film");
   if (!manifest_.still && fs::is_regular_file(film, error) &&
-      frames_in(film, settings_.ffmpeg) != static_cast<int>(manifest_.frames.size()))
+      frames_in(film, settings_.ffmpeg, manifest_.fps) != static_cast<int>(manifest_.frames.size()))
     fs::remove(film, error);
 }
 
@@ -219,7 +219,7 @@ Outcome RenderRun::end() {
   fs::path film = settings_.out / results()[0];
   int all = static_cast<int>(manifest_.frames.size());
   events_.doing("counting the frames of the film");
-  int held = manifest_.still ? all : frames_in(film, settings_.ffmpeg);
+  int held = manifest_.still ? all : frames_in(film, settings_.ffmpeg, manifest_.fps);
   if (held != all) return {{{"", fmt::format("{} holds {} of {} frames", film.string(), held, all)}}};
   // Unfinished pictures that are no part of this film, and what killed runs have left.
   std::error_code error;

@@ -8,11 +8,13 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <functional>
 
 #include "core/files.h"
 #include "images/png_samples.h"
+#include "render/animated_webp.h"
 #include "render/place.h"
 #include "render/process.h"
 
@@ -180,7 +182,17 @@ Encoded encode(const FilmJob& job, const std::string& format, const fs::path& pa
 
 std::string format_of(const fs::path& film) {
   std::string ending = film.extension();
-  return ending == ".webm" || ending == ".gif" || ending == ".mov" ? ending.substr(1) : "mp4";
+  bool known = ending == ".webm" || ending == ".gif" || ending == ".mov" || ending == ".webp";
+  return known ? ending.substr(1) : "mp4";
+}
+
+/// By libwebp, which ffmpeg of Debian 12 does not read again.
+Errors encode_webp(const FilmJob& job) {
+  Result<std::string> film = animated_webp(job.pictures, job.fps, job.title, job.comment);
+  if (film) return put_text(part_of(job.film), job.film, *film);
+  Errors errors = film.errors();
+  errors.push_back({"", job.film.string() + " could not be encoded"});
+  return errors;
 }
 
 /// Removes a file when it goes out of sight.
@@ -210,6 +222,7 @@ std::string gif_with_comment(std::string_view gif, std::string_view comment) {
 
 Errors encode_film(const FilmJob& job) {
   std::string format = format_of(job.film), film = job.film.string();
+  if (format == "webp") return encode_webp(job);
   Remover part{part_of(job.film)}, palette{part.path.string() + ".png"};
   ::unlink(palette.path.c_str());
   Encoded encoded = encode(job, format, part.path, palette.path);
@@ -273,7 +286,11 @@ Errors copy_picture(const fs::path& picture, const fs::path& to, double dpi) {
   return put_text(part_of(to), to, dpi > 0 ? with_density(*bytes, dpi) : *bytes);
 }
 
-int frames_in(const fs::path& film, const std::string& ffmpeg) {
+int frames_in(const fs::path& film, const std::string& ffmpeg, double fps) {
+  if (format_of(film) == "webp") {
+    Result<std::string> bytes = read_file(film);
+    return bytes ? static_cast<int>(std::lround(milliseconds_in_webp(*bytes) * fps / 1000)) : 0;
+  }
   OutputCapture said;
   Command command;
   command.words = {ffmpeg,      "-hide_banner",  "-nostdin", "-loglevel", "quiet", "-nostats",

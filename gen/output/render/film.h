@@ -12,13 +12,13 @@
 /// the same bytes.
 namespace frond {
 
-/// A film: H.264 (.mp4) that plays everywhere, VP9 (.webm), ProRes 4444 (.mov) for editing, or a GIF whose
-/// palette is made of the whole film.
+/// A film: H.264 (.mp4) that plays everywhere, VP9 (.webm), ProRes 4444 (.mov) for editing, a GIF whose
+/// palette is made of the whole film, or an animated WebP.
 struct FilmJob {
   std::vector<std::filesystem::path> pictures;  ///< PNG, one a frame
   std::filesystem::path film;                   ///< its ending says the format; another than these is an MP4
   std::string fps = "24";                       ///< frames a second
-  std::string title, comment;                   ///< for its metadata; of a GIF, a comment
+  std::string title, comment;                   ///< for its metadata; of a GIF, a comment; of a WebP, XMP
   std::string ffmpeg = "ffmpeg";                ///< the program
   bool alpha = false;                           ///< keeps the opacity of its pictures; not in an MP4
 };
@@ -45,9 +45,9 @@ Errors tile_sheet(const SheetJob& job);
 /// Copies a whole picture, which then says how many pixels an inch it has; with 0 dpi it does not.
 Errors copy_picture(const std::filesystem::path& picture, const std::filesystem::path& to, double dpi = 0);
 
-/// How many pictures a film holds, by what is there of them and not by its header; 0 where there is no
-/// telling.
-int frames_in(const std::filesystem::path& film, const std::string& ffmpeg);
+/// How many pictures a film of so many a second holds, by what is there of them and not by its header; 0
+/// where there is no telling.
+int frames_in(const std::filesystem::path& film, const std::string& ffmpeg, double fps);
 
 /// A GIF with a comment behind its first table of colours, which ffmpeg does not write.
 std::string gif_with_comment(std::string_view gif, std::string_view comment);

@@ -11,6 +11,7 @@
 
 #include "core/files.h"
 #include "core/linear.h"
+#include "images/whole.h"
 
 namespace frond {
 
