@@ -45,14 +45,26 @@ StemStation station_at(const std::vector<StemStation>& stem, double t) {
   return s;
 }
 
+/// Radii of the stalk of a compound leaf at its foot and tip, shares of its length; by eye.
+struct StalkRadii {
+  double foot, tip;
+};
+constexpr StalkRadii kRachis{0.011, 0.0015}, kTwig{0.010, 0.004};
+
+constexpr double kDroopPower = 1.4;  // above 1: leaflets droop mostly toward their tips
+
 /// A tapering rod of five sides along a stem.
-Surface rod(const std::vector<StemStation>& stem, double foot, double tip) {
+Surface rod(const std::vector<StemStation>& stem, StalkRadii radii) {
   constexpr std::uint32_t kSides = 5;
+  constexpr double kTaper = 0.8;  // below 1: it thins mostly near its foot
+  constexpr double kClasp = 30;   // a length over that of its widened foot
+  auto [foot, tip] = radii;
   Surface s;
   for (std::size_t i = 0; i < stem.size(); ++i) {
     double t = static_cast<double>(i) / static_cast<double>(stem.size() - 1);
     // Widened at the foot, where it clasps what it stands on.
-    auto radius = static_cast<float>(foot + (tip - foot) * std::pow(t, 0.8) + foot * std::exp(-t * 30));
+    auto radius =
+        static_cast<float>(foot + (tip - foot) * std::pow(t, kTaper) + foot * std::exp(-t * kClasp));
     for (std::uint32_t k = 0; k < kSides; ++k) {
       double angle = 2 * kPi * k / kSides;
       Vec3 out = stem[i].across * cosine_of(angle) + stem[i].up * sine_of(angle);
@@ -74,17 +86,18 @@ Surface rod(const std::vector<StemStation>& stem, double foot, double tip) {
 void add_leaflet(Surface& s, const StemStation& from, double length, double width, double droop) {
   constexpr int kPieces = 5;
   constexpr std::array<double, kPieces + 1> kWidths{0.35, 0.9, 1.0, 0.85, 0.55, 0.0};
+  constexpr float kAside = 0.9f, kDown = 0.45f;  // of half the width: where its rims lie, as a roof's
   auto start = static_cast<std::uint32_t>(s.position.size());
   Vec3 at = from.at;
   for (int i = 0; i <= kPieces; ++i) {
-    double t = static_cast<double>(i) / kPieces, angle = droop * std::pow(t, 1.4);
+    double t = static_cast<double>(i) / kPieces, angle = droop * std::pow(t, kDroopPower);
     Vec3 along = from.along * cosine_of(angle) - from.up * sine_of(angle);
     Vec3 up = from.up * cosine_of(angle) + from.along * sine_of(angle);
     if (i > 0) at += along * static_cast<float>(length / kPieces);
     auto half = static_cast<float>(0.5 * width * kWidths[static_cast<std::size_t>(i)]);
     for (int side = -1; side <= 1; ++side) {
       float out = static_cast<float>(side) * half;
-      s.position.push_back(at + from.across * out * 0.9f - up * (0.45f * std::abs(out)));
+      s.position.push_back(at + from.across * out * kAside - up * (kDown * std::abs(out)));
       s.uv.emplace_back(static_cast<float>(t), 0.5f + 0.5f * static_cast<float>(side));
     }
   }
@@ -99,6 +112,11 @@ void add_leaflet(Surface& s, const StemStation& from, double length, double widt
 
 /// A leaflet that is parted into lobes down to its midrib, each of two triangles on either side.
 void add_pinna(Surface& s, const StemStation& from, double length, double width, double droop, int lobes) {
+  constexpr double kNarrower = 0.85;             // share of its width that it loses toward its tip
+  constexpr double kNarrowingPower = 1.7;        // above 1: it narrows mostly near its tip
+  constexpr double kFirst = 0.8;                 // width of the first lobes over that of the second, about
+  constexpr float kHang = 0.30f, kLean = 0.35f;  // of half the width: how far a rim lies lower, and forward
+  constexpr double kLobe = 0.62;                 // of the way from lobe to lobe: the length of a rim
   auto start = static_cast<std::uint32_t>(s.position.size());
   auto add = [&](Vec3 at, double u, double v) {
     s.position.push_back(at);
@@ -106,17 +124,19 @@ void add_pinna(Surface& s, const StemStation& from, double length, double width,
   };
   Vec3 at = from.at;
   for (int i = 0; i <= lobes; ++i) {
-    double t = static_cast<double>(i) / lobes, angle = droop * std::pow(t, 1.4), step = length / lobes;
+    double t = static_cast<double>(i) / lobes, angle = droop * std::pow(t, kDroopPower),
+           step = length / lobes;
     Vec3 along = from.along * cosine_of(angle) - from.up * sine_of(angle);
     Vec3 up = from.up * cosine_of(angle) + from.along * sine_of(angle);
     add(at, t, 0.5);
     if (i == lobes) break;
     // A lobe leans forward, and its rim hangs.
-    auto half = static_cast<float>(0.5 * width * (1 - 0.85 * std::pow(t, 1.7)) * (i == 0 ? 0.8 : 1.0));
+    auto half = static_cast<float>(0.5 * width * (1 - kNarrower * std::pow(t, kNarrowingPower)) *
+                                   (i == 0 ? kFirst : 1.0));
     for (float side : {-1.0f, 1.0f}) {
-      Vec3 rim = at + from.across * (side * half) - up * (0.30f * half) + along * (0.35f * half);
+      Vec3 rim = at + from.across * (side * half) - up * (kHang * half) + along * (kLean * half);
       add(rim, t, 0.5 + 0.5 * static_cast<double>(side));
-      add(rim + along * static_cast<float>(0.62 * step), t + 0.62 / lobes,
+      add(rim + along * static_cast<float>(kLobe * step), t + kLobe / lobes,
           0.5 + 0.5 * static_cast<double>(side));
     }
     at += along * static_cast<float>(step);
@@ -138,6 +158,15 @@ void append_shaped(Surface& to, const Surface& from, const glm::mat3& turn, Vec3
   to.uv.insert(to.uv.end(), from.uv.begin(), from.uv.end());
   for (auto [a, b, c] : from.triangle) to.triangle.push_back({a + offset, b + offset, c + offset});
 }
+
+/// By how much the leaflets of a frond differ to either side; by eye.
+struct FrondVariation {
+  double bend = 0.15;                          ///< share of the rachis' own
+  double aside = 0.25;                         ///< radians by which the tip of the rachis turns aside
+  double place = 0.25;                         ///< of the space from leaflet to leaflet
+  double length = 0.10, droop = 0.35;          ///< shares of a leaflet's own
+  double forward = 6, raised = 8, twist = 25;  ///< degrees
+};
 
 /// Turned about an axis of its own.
 Vec3 turned(Vec3 v, Vec3 axis, double angle) { return glm::angleAxis(static_cast<float>(angle), axis) * v; }
@@ -164,67 +193,86 @@ Surface leaflets_surface(std::span<const LeafletPlace> places, double width, int
 }
 
 TwigParts frond_foliage(const FrondShape& shape, Seed seed) {
+  constexpr double kBendPower = 1.5;                   // above 1: the rachis bends mostly toward its tip
+  constexpr double kForward = 64, kForwardLobed = 80;  // degrees between rachis and the lowest leaflets
+  constexpr double kForwardTip = 38;                   // degrees less at the tip
+  constexpr double kFlatter = 0.4;                     // share by which leaflets are raised less at the tip
+  constexpr double kWide = 1.15, kWideLobed = 1.05;    // of the space from leaflet to leaflet: width of one
+  constexpr double kMostWide = 0.3, kMostWideLobed = 0.5;   // of its own length
+  constexpr double kEndLength = 0.14, kMostEndWide = 0.05;  // of the frond's width: the leaflet at its end
+  constexpr FrondVariation kVaries;
   TwigParts frond;
-  std::vector<StemStation> stem = stem_of(shape.bend * (1 + 0.15 * seed.child(0).range(-1, 1)), 1.5,
-                                          0.25 * seed.child(1).range(-1, 1), 24);
-  frond.stem = rod(stem, 0.011, 0.0015);
+  std::vector<StemStation> stem = stem_of(shape.bend * (1 + kVaries.bend * seed.child(0).range(-1, 1)),
+                                          kBendPower, kVaries.aside * seed.child(1).range(-1, 1), 24);
+  frond.stem = rod(stem, kRachis);
   double spacing = (1 - shape.stalk) / shape.pairs;
   for (int i = 0; i < shape.pairs; ++i) {
     for (int side : {-1, 1}) {
       Seed own = seed.child("leaflet", static_cast<std::uint64_t>(2 * i + (side > 0)));
-      double s = (i + 0.5 + 0.25 * own.child(0).range(-1, 1)) / shape.pairs;
+      double s = (i + 0.5 + kVaries.place * own.child(0).range(-1, 1)) / shape.pairs;
       StemStation foot = station_at(stem, shape.stalk + (1 - shape.stalk) * s);
       // Long in the middle, short at both ends; forward at the tip.
       double length = 0.5 * shape.width * std::pow(std::sin(kPi * (0.18 + 0.74 * s)), 0.7);
       if (shape.lobes > 0)  // widest below the middle, and drawn out to a point
         length = 0.62 * shape.width * std::min(1.0, 0.42 + 1.9 * s) * std::pow(1 - 0.97 * s, 0.75);
-      length *= 1 + 0.10 * own.child(1).range(-1, 1);
-      double forward = radians((shape.lobes > 0 ? 80.0 : 64.0) - 38.0 * s + 6 * own.child(2).range(-1, 1));
-      double raised = shape.fold * (1 - 0.4 * s) + radians(8.0) * own.child(3).range(-1, 1);
+      length *= 1 + kVaries.length * own.child(1).range(-1, 1);
+      double forward = radians((shape.lobes > 0 ? kForwardLobed : kForward) - kForwardTip * s +
+                               kVaries.forward * own.child(2).range(-1, 1));
+      double raised = shape.fold * (1 - kFlatter * s) + radians(kVaries.raised) * own.child(3).range(-1, 1);
       Vec3 out = foot.across * static_cast<float>(side) * cosine_of(raised) + foot.up * sine_of(raised);
       StemStation leaflet;
       leaflet.at = foot.at;
       leaflet.along = glm::normalize(foot.along * cosine_of(forward) + out * sine_of(forward));
       leaflet.across = glm::normalize(glm::cross(leaflet.along, foot.up));
-      leaflet.across = turned(leaflet.across, leaflet.along, radians(25.0) * own.child(4).range(-1, 1));
+      leaflet.across =
+          turned(leaflet.across, leaflet.along, radians(kVaries.twist) * own.child(4).range(-1, 1));
       leaflet.up = glm::normalize(glm::cross(leaflet.across, leaflet.along));
-      double droop = shape.droop * (1 + 0.35 * own.child(5).range(-1, 1));
+      double droop = shape.droop * (1 + kVaries.droop * own.child(5).range(-1, 1));
       if (shape.lobes > 0)
-        add_pinna(frond.blades, leaflet, length, std::min(1.05 * spacing, 0.5 * length), droop, shape.lobes);
+        add_pinna(frond.blades, leaflet, length, std::min(kWideLobed * spacing, kMostWideLobed * length),
+                  droop, shape.lobes);
       else
-        add_leaflet(frond.blades, leaflet, length, std::min(1.15 * spacing, 0.3 * length), droop);
+        add_leaflet(frond.blades, leaflet, length, std::min(kWide * spacing, kMostWide * length), droop);
     }
   }
   // One leaflet ends the frond.
   StemStation end = stem.back();
-  add_leaflet(frond.blades, end, 0.14 * shape.width, std::min(1.15 * spacing, 0.05 * shape.width),
-              shape.droop);
+  add_leaflet(frond.blades, end, kEndLength * shape.width,
+              std::min(kWide * spacing, kMostEndWide * shape.width), shape.droop);
   set_normals(frond.blades);
   return frond;
 }
 
 TwigParts sprig_foliage(const TwigShape& shape, Seed seed) {
+  constexpr double kLastLeaf = 0.6;  // of a leaf's length: what the last one adds to the twig's
+  constexpr double kBendPower = 1.2, kAside = 0.3;  // as of the rachis of a frond
+  constexpr double kFirst = 0.12, kSpan = 0.85;     // of the twig: where leaves begin, and how far they go on
+  // Degrees outward from the twig at its foot, and less at its tip; degrees upward; and how all of it varies.
+  constexpr double kOutward = 58, kOutwardTip = 16, kUpward = -12;
+  constexpr double kOutwardVaries = 14, kUpwardVaries = 30, kRollVaries = 28;
+  constexpr double kSizeVaries = 0.12;
   TwigParts sprig;
   Surface blade = blade_surface(shape.leaf);
-  double reach = 1 - 0.6 * shape.leaf_length;  // the last leaf makes the rest of the length
-  std::vector<StemStation> stem = stem_of(shape.bend, 1.2, 0.3 * seed.child(0).range(-1, 1), 8);
+  double reach = 1 - kLastLeaf * shape.leaf_length;  // the last leaf makes the rest of the length
+  std::vector<StemStation> stem = stem_of(shape.bend, kBendPower, kAside * seed.child(0).range(-1, 1), 8);
   for (StemStation& station : stem) station.at *= static_cast<float>(reach);
-  sprig.stem = rod(stem, 0.010, 0.004);
+  sprig.stem = rod(stem, kTwig);
   for (int i = 0; i < shape.leaves; ++i) {
     Seed own = seed.child("leaf", static_cast<std::uint64_t>(i));
     bool last = i + 1 == shape.leaves;
     double s = shape.leaves > 1 ? static_cast<double>(i) / (shape.leaves - 1) : 1.0;
-    StemStation foot = station_at(stem, last ? 1.0 : 0.12 + 0.85 * s);
+    StemStation foot = station_at(stem, last ? 1.0 : kFirst + kSpan * s);
     double side = last ? 0.0 : i % 2 == 0 ? -1.0 : 1.0;
-    double outward = side * radians(58.0 - 16.0 * s + 14 * own.child(0).range(-1, 1));
-    double pitch = radians(-12.0 + 30 * own.child(1).range(-1, 1));
-    double roll = radians(28.0) * own.child(2).range(-1, 1);
+    double outward = side * radians(kOutward - kOutwardTip * s + kOutwardVaries * own.child(0).range(-1, 1));
+    double pitch = radians(kUpward + kUpwardVaries * own.child(1).range(-1, 1));
+    double roll = radians(kRollVaries) * own.child(2).range(-1, 1);
     Vec3 along = turned(foot.along, foot.up, -outward), up = foot.up;
     Vec3 across = glm::normalize(glm::cross(along, up));
     along = turned(along, across, pitch), up = glm::normalize(glm::cross(across, along));
     across = turned(across, along, roll), up = glm::normalize(glm::cross(across, along));
+    // The largest are in the middle.
     double size = shape.leaf_length * (0.8 + 0.35 * std::sin(kPi * (0.2 + 0.6 * s))) *
-                  (1 + 0.12 * own.child(3).range(-1, 1));
+                  (1 + kSizeVaries * own.child(3).range(-1, 1));
     append_shaped(sprig.blades, blade, glm::mat3(across, along, up) * static_cast<float>(size), foot.at);
   }
   return sprig;

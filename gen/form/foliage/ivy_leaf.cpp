@@ -56,9 +56,13 @@ double standard_angle(IvyForm form, double angle) {
 
 /// How far between two veins a direction lies: 0 on a vein .. 1 in the middle.
 double between_veins(IvyForm form, double angle) {
+  constexpr double kFlatter = 0.6;  // between the basal veins and the stalk
+  constexpr double kLateral = kStandard[0], kBasal = kStandard[1];
   double a = degrees(standard_angle(form, angle));
-  double share = a < 50 ? a / 50 : a < 110 ? (a - 50) / 60 : (a - 110) / 70;
-  return std::sin(kPi * share) * (a < 110 ? 1 : 0.6);
+  double share = a < kLateral ? a / kLateral
+                 : a < kBasal ? (a - kLateral) / (kBasal - kLateral)
+                              : (a - kBasal) / (180 - kBasal);
+  return std::sin(kPi * share) * (a < kBasal ? 1 : kFlatter);
 }
 
 /// The directions in which the mesh has spokes, from the tip to the foot.
@@ -87,15 +91,19 @@ class Leaf {
  private:
   /// A place on the blade, `share` of the way to the rim.
   void blade_point(double angle, int side, double share) {
+    constexpr double kHangMean = 0.55, kHangMore = 0.45;  // of the droop: all at the tip, little at the stalk
+    constexpr double kRipple = 0.35;                      // of the wave: how high the rim's own ripples are
+    constexpr double kTexture = 2.6;  // leaf lengths across the texture, as the header says
     double reach = ivy_rim(shape_.form, angle) * share;
     double x = side * reach * std::sin(angle), y = reach * std::cos(angle);
-    double z = -shape_.droop * reach * reach * (0.55 + 0.45 * std::cos(angle));
+    double z = -shape_.droop * reach * reach * (kHangMean + kHangMore * std::cos(angle));
     z += shape_.wave * between_veins(shape_.form, angle) * share * (1.3 - share) * 2;
     if (shape_.detail > 0)
-      z += 0.35 * shape_.wave * share * share * std::sin(7 * angle + 2.2 * side + 9 * shape_.stalk);
+      z += kRipple * shape_.wave * share * share * std::sin(7 * angle + 2.2 * side + 9 * shape_.stalk);
     s_.position.push_back(foot_ + Vec3(x, y, z));
     double turned = standard_angle(shape_.form, angle);
-    s_.uv.emplace_back(0.5 + side * reach * std::sin(turned) / 2.6, 0.5 + reach * std::cos(turned) / 2.6);
+    s_.uv.emplace_back(0.5 + side * reach * std::sin(turned) / kTexture,
+                       0.5 + reach * std::cos(turned) / kTexture);
   }
 
   void blade() {
@@ -122,15 +130,18 @@ class Leaf {
 
   /// A thin bent prism from the origin to the blade: it leaves the strand outward and comes in from below.
   void petiole() {
+    constexpr float kThin = 0.018f, kFoot = 0.008f,
+                    kTop = 0.006f;    // radius; more of it at the foot, and at the blade
+    constexpr float kBelow = 0.012f;  // how far below the blade it ends
     int sides = shape_.detail > 1 ? 5 : 3, pieces = shape_.detail > 1 ? 8 : shape_.detail > 0 ? 4 : 2;
-    Vec3 bend = foot_ * Vec3(1, 0.42f, 0.85f), end = foot_ - Vec3(0, 0, 0.012f);
+    Vec3 bend = foot_ * Vec3(1, 0.42f, 0.85f), end = foot_ - Vec3(0, 0, kBelow);
     auto start = static_cast<std::uint32_t>(s_.position.size());
     for (int i = 0; i <= pieces; ++i) {
       float t = static_cast<float>(i) / static_cast<float>(pieces), o = 1 - t;
       Vec3 at = 2 * o * t * bend + t * t * end,
            direction = glm::normalize(2 * o * bend + 2 * t * (end - bend));
       Vec3 across(1, 0, 0), up = glm::cross(across, direction);
-      float radius = 0.018f + 0.008f * o * o * o + 0.006f * t * t * t;
+      float radius = kThin + kFoot * o * o * o + kTop * t * t * t;
       for (int k = 0; k <= sides; ++k) {
         float a = static_cast<float>(2 * kPi * k / sides);
         Vec3 out = std::cos(a) * across + std::sin(a) * up;

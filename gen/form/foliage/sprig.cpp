@@ -75,42 +75,58 @@ Vec3 squared(Vec3 v, Vec3 along) {
   return length > 1e-4f ? rest / length : Vec3(1, 0, 0);
 }
 
+/// The same number for the same leaf and property in every sprig.
 float varied(int i, std::uint64_t which, float low, float high) {
   return static_cast<float>(Seed{77}.child(static_cast<std::uint64_t>(i)).child(which).range(low, high));
 }
 
+// Sizes are by eye; bend and fold are those of SprigLeaf.
+
 void add_needles(Surface& s, const SprigShape& shape) {
+  constexpr float kTurn = 2.39996f;               // radians from needle to needle: the golden angle, rounded
+  constexpr float kTurnVaries = 0.3f;             // radians
+  constexpr float kFlatter = 0.75f, kUp = 0.18f;  // of directions across the twig: less up and down; upward
+  constexpr float kShorter = 0.35f;               // share by which needles at the tip are shorter
+  constexpr float kLast = 0.95f;                  // of the twig, where needles end
+  constexpr float kBend = 0.15f, kFold = 0.3f;
   for (int i = 0; i < shape.leaves; ++i) {
     float t = (static_cast<float>(i) + 0.5f) / static_cast<float>(shape.leaves);
-    float turn = 2.39996f * static_cast<float>(i) + varied(i, 1, -0.3f, 0.3f);
+    float turn = kTurn * static_cast<float>(i) + varied(i, 1, -kTurnVaries, kTurnVaries);
     // Needles of a shoot in shade stand more to the sides than below.
-    Vec3 out(std::cos(turn), 0, 0.75f * std::sin(turn) + 0.18f);
+    Vec3 out(std::cos(turn), 0, kFlatter * std::sin(turn) + kUp);
     auto open = static_cast<float>(shape.open);
     Vec3 along = glm::normalize(glm::normalize(out) * std::sin(open) + Vec3(0, std::cos(open), 0));
-    float length = static_cast<float>(shape.leaf) * varied(i, 2, 0.8f, 1.1f) * (1 - 0.35f * t * t);
+    float length = static_cast<float>(shape.leaf) * varied(i, 2, 0.8f, 1.1f) * (1 - kShorter * t * t);
     add_leaf(s, outline_of(shape.kind),
-             {Vec3(0, t * 0.95f, 0), along, squared(Vec3(0, 0, 1), along), length,
-              0.5f * length * static_cast<float>(shape.width), 0.15f, 0.3f});
+             {Vec3(0, t * kLast, 0), along, squared(Vec3(0, 0, 1), along), length,
+              0.5f * length * static_cast<float>(shape.width), kBend, kFold});
   }
 }
 
 void add_feather(Surface& s, const SprigShape& shape) {
+  constexpr float kUp = 0.12f;    // of a leaflet's direction
+  constexpr float kHang = 0.10f;  // of the length, by which the leaf's tip hangs
+  constexpr float kBend = 0.2f, kFold = 0.1f;
   for (int i = 0; i < shape.leaves; ++i) {
     float t = (static_cast<float>(i) + 0.6f) / static_cast<float>(shape.leaves);
-    float size = std::sin(static_cast<float>(kPi) * (0.12f + 0.80f * t));
+    float size = std::sin(static_cast<float>(kPi) * (0.12f + 0.80f * t));  // longest in the middle
     for (int side : {-1, 1}) {
       Vec3 along = glm::normalize(Vec3(static_cast<float>(side) * std::sin(static_cast<float>(shape.open)),
-                                       std::cos(static_cast<float>(shape.open)), 0.12f));
+                                       std::cos(static_cast<float>(shape.open)), kUp));
       float length = static_cast<float>(shape.leaf) * size;
-      Vec3 foot(0, t, -0.10f * t * t);
+      Vec3 foot(0, t, -kHang * t * t);
       add_leaf(s, outline_of(shape.kind),
                {foot, along, squared(Vec3(0, 0, 1), along), length,
-                0.5f * length * static_cast<float>(shape.width), 0.2f, 0.1f});
+                0.5f * length * static_cast<float>(shape.width), kBend, kFold});
     }
   }
 }
 
 void add_leaves(Surface& s, const SprigShape& shape) {
+  constexpr float kMostHang = 0.8f;  // share of downward in a leaf's direction at hang 1
+  constexpr float kFirst = 0.06f;    // of the sprig, where leaves begin
+  constexpr float kLastLeaf = 0.8f;  // of a leaf's length: what the last one adds to the sprig's
+  constexpr float kFold = 0.35f;
   auto hang = static_cast<float>(shape.hang);
   for (int i = 0; i < shape.leaves; ++i) {
     bool last = i + 1 == shape.leaves;
@@ -118,13 +134,13 @@ void add_leaves(Surface& s, const SprigShape& shape) {
     auto side = static_cast<float>(i % 2 == 0 ? 1 : -1);
     float open = last ? 0.0f : static_cast<float>(shape.open) * varied(i, 1, 0.75f, 1.2f);
     Vec3 along(side * std::sin(open), std::cos(open), varied(i, 2, -0.25f, 0.35f));
-    along = glm::normalize(along * (1 - 0.8f * hang) + Vec3(0, 0.1f, -1) * (0.8f * hang));
+    along = glm::normalize(along * (1 - kMostHang * hang) + Vec3(0, 0.1f, -1) * (kMostHang * hang));
     Vec3 up = squared(Vec3(varied(i, 3, -0.5f, 0.5f), varied(i, 4, -0.3f, 0.3f), 1), along);
     float length = static_cast<float>(shape.leaf) * varied(i, 5, 0.8f, 1.12f);
-    float reach = 1 - static_cast<float>(shape.leaf) * 0.8f;
+    float reach = 1 - static_cast<float>(shape.leaf) * kLastLeaf;
     add_leaf(s, outline_of(shape.kind),
-             {Vec3(0, 0.06f + (reach - 0.06f) * t, 0), along, up, length,
-              0.5f * length * static_cast<float>(shape.width), varied(i, 6, 0.25f, 0.8f), 0.35f});
+             {Vec3(0, kFirst + (reach - kFirst) * t, 0), along, up, length,
+              0.5f * length * static_cast<float>(shape.width), varied(i, 6, 0.25f, 0.8f), kFold});
   }
 }
 

@@ -12,39 +12,35 @@ namespace frond {
 
 namespace {
 
+/// A known leaf, drawn by eye. The fields are those of LeafOutline.
 struct Named {
   std::string_view name;
-  LeafOutline outline;
+  double width, teeth, tooth, stalk;
+  bool palmate;
+  std::vector<double> radii;
 };
 
 const std::vector<Named>& table() {
+  // clang-format off
   static const std::vector<Named> list = {
-      {"birch", {{1, 0.70, 0.56, 0.56, 0.60, 0.58, 0.50}, 0.95, 22, 0.06, 0.20, false}},
-      {"beech", {{1, 0.86, 0.72, 0.64, 0.64, 0.72, 0.80}, 0.92, 0, 0, 0.10, false}},
-      {"oak",
-       {{1, 0.94, 0.62, 0.80, 0.50, 0.70, 0.46, 0.58, 0.46, 0.44, 0.52, 0.50, 0.66, 0.74},
-        0.95,
-        0,
-        0,
-        0.10,
-        false}},
-      {"maple",
-       {{1,    0.80, 0.64, 0.72, 0.56, 0.44, 0.40, 0.46, 0.58, 0.74, 0.68, 0.84, 0.97,
-         0.80, 0.64, 0.70, 0.56, 0.46, 0.42, 0.44, 0.50, 0.59, 0.54, 0.63, 0.72, 0.60,
-         0.50, 0.51, 0.42, 0.38, 0.36, 0.35, 0.34, 0.33, 0.32, 0.30, 0.26},
-        1,
-        0,
-        0,
-        0.26,
-        true}},
-      {"ivy",
-       {{1, 0.80, 0.56, 0.52, 0.70, 0.84, 0.62, 0.50, 0.56, 0.62, 0.48, 0.24}, 0.95, 0, 0, 0.28, true}},
-      {"aspen", {{1, 0.84, 0.80, 0.82, 0.84, 0.82, 0.74}, 0.98, 16, 0.03, 0.36, false}},
-      {"willow", {{1, 0.50, 0.28, 0.20, 0.175, 0.17, 0.19, 0.25, 0.44, 0.92}, 0.85, 0, 0, 0.06, false}},
-      {"linden", {{1, 0.76, 0.76, 0.82, 0.88, 0.92, 0.88, 0.64}, 0.96, 24, 0.05, 0.26, false}},
-      {"cherry", {{1, 0.72, 0.58, 0.54, 0.56, 0.62, 0.72}, 0.90, 26, 0.035, 0.14, false}},
-      {"ginkgo", {{0.72, 0.90, 0.98, 1, 0.90, 0.62, 0.55, 0.62, 0.75}, 1.15, 0, 0, 0.34, true}},
+      // name  width teeth tooth stalk palmate radii, from the tip to the stalk
+      {"birch",  0.95, 22, 0.06,  0.20, false, {1, 0.70, 0.56, 0.56, 0.60, 0.58, 0.50}},
+      {"beech",  0.92,  0, 0,     0.10, false, {1, 0.86, 0.72, 0.64, 0.64, 0.72, 0.80}},
+      {"oak",    0.95,  0, 0,     0.10, false,
+       {1, 0.94, 0.62, 0.80, 0.50, 0.70, 0.46, 0.58, 0.46, 0.44, 0.52, 0.50, 0.66, 0.74}},
+      {"maple",  1,     0, 0,     0.26, true,
+       {1, 0.80, 0.64, 0.72, 0.56, 0.44, 0.40, 0.46, 0.58, 0.74, 0.68, 0.84, 0.97, 0.80, 0.64, 0.70, 0.56,
+        0.46, 0.42, 0.44, 0.50, 0.59, 0.54, 0.63, 0.72, 0.60, 0.50, 0.51, 0.42, 0.38, 0.36, 0.35, 0.34, 0.33,
+        0.32, 0.30, 0.26}},
+      {"ivy",    0.95,  0, 0,     0.28, true,
+       {1, 0.80, 0.56, 0.52, 0.70, 0.84, 0.62, 0.50, 0.56, 0.62, 0.48, 0.24}},
+      {"aspen",  0.98, 16, 0.03,  0.36, false, {1, 0.84, 0.80, 0.82, 0.84, 0.82, 0.74}},
+      {"willow", 0.85,  0, 0,     0.06, false, {1, 0.50, 0.28, 0.20, 0.175, 0.17, 0.19, 0.25, 0.44, 0.92}},
+      {"linden", 0.96, 24, 0.05,  0.26, false, {1, 0.76, 0.76, 0.82, 0.88, 0.92, 0.88, 0.64}},
+      {"cherry", 0.90, 26, 0.035, 0.14, false, {1, 0.72, 0.58, 0.54, 0.56, 0.62, 0.72}},
+      {"ginkgo", 1.15,  0, 0,     0.34, true,  {0.72, 0.90, 0.98, 1, 0.90, 0.62, 0.55, 0.62, 0.75}},
   };
+  // clang-format on
   return list;
 }
 
@@ -64,12 +60,15 @@ double leaf_radius(const LeafOutline& o, double angle) {
   double value = q + 0.5 * t * (r - p + t * (2 * p - 5 * q + 4 * r - s + t * (3 * (q - r) + s - p)));
   if (o.teeth > 0 && o.tooth > 0) {
     // Teeth point forward, and there are none at the stalk.
+    constexpr double kShortSide = 0.3, kLongSide = 0.7;  // of a tooth, as shares of it
     double k = a / kPi * o.teeth, saw = k - std::floor(k);
-    value *= 1 + o.tooth * (saw < 0.3 ? saw / 0.3 : (1 - saw) / 0.7) * (1 - smooth_step(0.8, 1.0, a / kPi)) -
-             0.5 * o.tooth;
+    double high = saw < kShortSide ? saw / kShortSide : (1 - saw) / kLongSide;
+    value *= 1 + o.tooth * high * (1 - smooth_step(0.8, 1.0, a / kPi)) - 0.5 * o.tooth;
   }
   return std::max(value, 0.02);
 }
+
+constexpr int kBoundPoints = 64;  // of the rim, that bounds are taken from
 
 /// How a blade lies in the unit of its leaf: where on the stalk's line the middle of its circle is, and what
 /// a radius of 1 is there.
@@ -87,7 +86,7 @@ LeafFrame leaf_frame(const LeafOutline& o) {
 
 LeafOutline leaf_outline(std::string_view name) {
   for (const Named& n : table())
-    if (n.name == name) return n.outline;
+    if (n.name == name) return {n.radii, n.width, n.teeth, n.tooth, n.stalk, n.palmate};
   LeafOutline none;
   none.radii.clear();
   return none;
@@ -103,16 +102,20 @@ std::span<const std::string_view> leaf_names() {
 }
 
 std::vector<LeafPlace> sprig_places(const Sprig& s) {
+  constexpr double kLowestLeaf = 0.14, kHighestLeaf = 0.92;  // of the stalk, where no leaf is at its end
+  constexpr double kBelowEnd = 0.35;  // of a leaf's length: from the last pair to the end leaf
+  constexpr double kCloser = 0.25;    // share by which leaves at the tip lean more forward
   std::vector<LeafPlace> places;
-  double top = s.end_leaf ? 1 - s.length * (1 - s.shrink) : 0.92, low = 0.14;
-  double end = s.end_leaf ? top - 0.35 * s.length : top;
+  double top = s.end_leaf ? 1 - s.length * (1 - s.shrink) : kHighestLeaf, low = kLowestLeaf;
+  double end = s.end_leaf ? top - kBelowEnd * s.length : top;
   for (int i = 0; i < s.pairs; ++i) {
     double t = s.pairs > 1 ? static_cast<double>(i) / (s.pairs - 1) : 0.5,
            gap = (end - low) / std::max(s.pairs, 2);
+    // The longest is a little above the foot.
     double size = s.length * (1 - s.shrink * t) * (0.82 + 0.18 * std::sin(kPi * std::min(1.0, t + 0.35)));
     for (int side : {1, -1}) {
       double y = low + (end - low) * t + (side < 0 ? 0.5 * gap * s.alternate : 0);
-      places.push_back({Vec2(0, y), side * s.angle * (1 - 0.25 * t), size});
+      places.push_back({Vec2(0, y), side * s.angle * (1 - kCloser * t), size});
     }
   }
   if (s.end_leaf) places.push_back({Vec2(0, top), 0, 1 - top});
@@ -120,7 +123,7 @@ std::vector<LeafPlace> sprig_places(const Sprig& s) {
 }
 
 PictureFrame picture_frame(const LeafImage& leaf) {
-  std::vector<Vec2> rim = leaf_rim(leaf.outline, 64);
+  std::vector<Vec2> rim = leaf_rim(leaf.outline, kBoundPoints);
   std::vector<LeafPlace> places = leaf.sprig ? sprig_places(leaf.sprigs) : std::vector<LeafPlace>{{}};
   PictureFrame frame{0.02, 0, leaf.sprig ? 0.0 : 1.0};
   for (const LeafPlace& p : places) {
@@ -173,6 +176,19 @@ using Rgb = glm::dvec3;
 
 constexpr int kSamples = 3;  // a pixel, each way
 constexpr Rgb kBrown{0.36, 0.20, 0.09};
+constexpr double kLeafStalk = 0.018, kSprigStalk = 0.012;  // half their widths, shares of leaf and sprig
+
+/// The veins of a blade, by eye. Widths are half of a vein's at its foot, as shares of the leaf's length.
+struct Venation {
+  double midrib = 0.013, lobe = 0.010;              ///< widths of main veins
+  double side = 0.006, lobe_side = 0.0055;          ///< widths of side veins of the midrib, of those to lobes
+  double taper = 0.8;                               ///< share of its width that a main vein loses to its end
+  double side_shows = 0.8, lobe_side_shows = 0.7;   ///< strength of side veins as a share of a main vein's
+  int pairs = 9;                                    ///< of side veins on a midrib
+  double slope = 0.75;                              ///< rise of a side vein over its way outward, at first
+  double side_shift = 0.15, lobe_side_shift = 0.4;  ///< of a gap, between the side veins of the two halves
+};
+constexpr Venation kVeins;
 
 Rgb rgb(const Color& c) { return {c.red, c.green, c.blue}; }
 
@@ -187,7 +203,7 @@ double line(double away, double width, double pixel) {
 double vein(Vec2 p, Vec2 from, Vec2 to, double width, double pixel) {
   Vec2 segment = to - from, off = p - from;
   double t = std::clamp<double>(glm::dot(off, segment) / glm::dot(segment, segment), 0, 1);
-  return line(glm::length(off - segment * static_cast<float>(t)), width * (1 - 0.8 * t), pixel);
+  return line(glm::length(off - segment * static_cast<float>(t)), width * (1 - kVeins.taper * t), pixel);
 }
 
 class Blade {
@@ -197,7 +213,7 @@ class Blade {
     middle_ = f.middle;
     scale_ = f.scale;
     foot_ = Vec2(0, o_.stalk);
-    for (Vec2 p : leaf_rim(o_, 64))
+    for (Vec2 p : leaf_rim(o_, kBoundPoints))
       wide_ = std::max(wide_, 1.03f * p.x), high_ = std::max(high_, 1.01f * p.y);
     if (!o_.palmate) return;
     // Main veins go to the lobes: where the rim is farthest out.
@@ -228,6 +244,7 @@ class Blade {
     if (away > 1 && on_stalk(p)) return glm::mix(rgb(leaf_.veins), rgb(leaf_.color), 0.3) * 0.9;
     double strength = veins(p, pixel);
     Seed own = seed_.child(static_cast<std::uint64_t>(index));
+    // Along a leaf go 5 blotches and 46 cells of the net of the finest veins.
     double blotch = tiling_fractal(p.x * 5 + 8, p.y * 5, 64, 64, 4, 0.6, own.child("blotch"));
     Cells net = tiling_cells(p.x * 46 + 64, p.y * 46, 512, 512, own.child("net"));
     double mesh = smooth_step(0.0, 0.16, net.second - net.nearest);
@@ -261,7 +278,7 @@ class Blade {
     return glm::mix(color, kBrown * (1 + 0.5 * blotch), 0.85 * brown);
   }
 
-  bool on_stalk(Vec2 p) const { return p.y <= o_.stalk + 0.03 && p.y >= -0.01 && std::abs(p.x) < 0.018; }
+  bool on_stalk(Vec2 p) const { return p.y <= o_.stalk + 0.03 && p.y >= -0.01 && std::abs(p.x) < kLeafStalk; }
 
   /// How far from the middle of the blade, 1 on its rim.
   double out(Vec2 p) const {
@@ -271,22 +288,23 @@ class Blade {
 
   /// 1 on a vein .. 0 away from it.
   double veins(Vec2 p, double pixel) const {
-    double strongest = vein(p, foot_, Vec2(0, 1), 0.013, pixel);
+    double strongest = vein(p, foot_, Vec2(0, 1), kVeins.midrib, pixel);
     if (o_.palmate) {
       for (Vec2 lobe : lobes_)
         for (float side : {1.0f, -1.0f})
-          strongest = std::max(strongest, vein(p, foot_, Vec2(lobe.x * side, lobe.y), 0.010, pixel));
-      return std::max(strongest, 0.7 * lobe_veins(p, pixel));
+          strongest = std::max(strongest, vein(p, foot_, Vec2(lobe.x * side, lobe.y), kVeins.lobe, pixel));
+      return std::max(strongest, kVeins.lobe_side_shows * lobe_veins(p, pixel));
     }
-    return std::max(strongest, 0.8 * side_veins(p, 9, 0.75, pixel));
+    return std::max(strongest, kVeins.side_shows * side_veins(p, pixel));
   }
 
   /// Side veins that leave the midrib forward and bend to the tip.
-  double side_veins(Vec2 p, int count, double slope, double pixel) const {
-    double x = std::abs(p.x), along = (p.y - slope * x - 0.5 * x * x - o_.stalk) / (1 - o_.stalk);
-    if (along < 0.02) return 0;
-    double k = along * count + (p.x > 0 ? 0.15 : 0), d = std::abs(k - std::floor(k) - 0.5) / count;
-    return line(d, 0.006 * (1 - std::min(1.0, 1.6 * x)), pixel / (1 - o_.stalk));
+  double side_veins(Vec2 p, double pixel) const {
+    double x = std::abs(p.x), along = (p.y - kVeins.slope * x - 0.5 * x * x - o_.stalk) / (1 - o_.stalk);
+    if (along < 0.02) return 0;  // none so near the foot
+    double k = along * kVeins.pairs + (p.x > 0 ? kVeins.side_shift : 0);
+    double d = std::abs(k - std::floor(k) - 0.5) / kVeins.pairs;
+    return line(d, kVeins.side * (1 - std::min(1.0, 1.6 * x)), pixel / (1 - o_.stalk));
   }
 
   /// Side veins of that main vein which is nearest by its direction, as the others hide behind it.
@@ -299,9 +317,10 @@ class Blade {
     float length = glm::length(main), along = glm::dot(off, main) / length;
     double side = (off.x * main.y - off.y * main.x) / length, away = std::abs(side);
     if (along < 0.02f || along > length) return 0;
-    double count = 2 + 7 * length, k = (along - 0.9 * away) / length * count + (side > 0 ? 0.4 : 0);
+    double count = 2 + 7 * length,
+           k = (along - 0.9 * away) / length * count + (side > 0 ? kVeins.lobe_side_shift : 0);
     return line(0.74 * length * std::abs(k - std::floor(k) - 0.5) / count,
-                0.0055 * (1 - std::min(1.0, 3 * away)), pixel);
+                kVeins.lobe_side * (1 - std::min(1.0, 3 * away)), pixel);
   }
 
   const LeafImage& leaf_;
@@ -327,7 +346,7 @@ struct LeafPainter {
   }
 
   bool on_stalk(Vec2 p) const {
-    return leaf.sprig && std::abs(p.x) < 0.012 && p.y > -0.01 && p.y < places.back().foot.y + 0.02;
+    return leaf.sprig && std::abs(p.x) < kSprigStalk && p.y > -0.01 && p.y < places.back().foot.y + 0.02;
   }
 
   bool covers(Vec2 p) const {

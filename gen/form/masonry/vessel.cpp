@@ -13,9 +13,11 @@ namespace frond {
 
 namespace {
 
-constexpr double kSpare = 0.95;  // share of the least radius of curvature that a wall may use
-constexpr int kThinner = 40;     // how often a wall is made thinner until it crosses itself nowhere
-constexpr int kArc = 10;         // parts of the lip
+constexpr double kSpare = 0.95;     // share of the least radius of curvature that a wall may use
+constexpr double kNeck = 0.8;       // share of a neck's radius that a wall may use
+constexpr double kWallStep = 0.85;  // factor by which a wall is made thinner until it crosses itself nowhere
+constexpr int kWallTries = 40;      // how often that is tried
+constexpr int kArc = 10;            // parts of the lip
 
 /// A point of the outside with what its offset needs.
 struct Station {
@@ -67,28 +69,37 @@ double thickest_wall(const std::vector<Station>& outside) {
     if (s.bend > 1e-9) most = std::min(most, kSpare / s.bend);
     bool neck =
         i > 0 && outside[i - 1].at.x >= s.at.x && (i + 1 == outside.size() || outside[i + 1].at.x > s.at.x);
-    if (neck && s.inward.x < 0) most = std::min(most, 0.8 * s.at.x / -s.inward.x);
+    if (neck && s.inward.x < 0) most = std::min(most, kNeck * s.at.x / -s.inward.x);
   }
-  return std::min(most, 0.8 * outside.back().at.x);
+  return std::min(most, kNeck * outside.back().at.x);
 }
 
 /// The ring it stands on, hollow below: from the axis to where the outside begins. Returns that station's
 /// index.
 std::size_t add_foot(const VesselShape& shape, const std::vector<Station>& outside, double wall,
                      std::vector<glm::dvec2>& line) {
+  // By eye.
+  constexpr double kNarrow = 0.15;        // of the widest radius: a narrower foot of the curve is no ring
+  constexpr double kMostOfWidest = 0.98;  // radius of the ring, at most
+  constexpr double kMostOfRadius = 0.5;   // thickness of the ring and depth of its hollow, at most
+  constexpr double kRingThick = 1.6;      // of the wall's thickness
+  constexpr double kDeep = 0.8, kDeepThin = 0.3;     // depth of the hollow: of the foot's height; of the wall
+  constexpr double kMostOfStart = 0.7;               // depth of the hollow: of where the outside begins
+  constexpr double kRound = 0.45, kRoundThin = 0.3;  // of edges: of those two; of the ring's thickness
   double widest = 0;
   for (const Station& s : outside) widest = std::max(widest, s.at.x);
   double radius = shape.foot_radius;
-  if (radius <= 0) radius = outside[0].at.x > 0.15 * widest ? outside[0].at.x : widest / 3;
-  radius = std::min(radius, 0.98 * widest);
+  if (radius <= 0) radius = outside[0].at.x > kNarrow * widest ? outside[0].at.x : widest / 3;
+  radius = std::min(radius, kMostOfWidest * widest);
   std::size_t first = 0;
   while (first + 1 < outside.size() && outside[first].at.x < radius * 0.999) ++first;
   double start =
       outside[first].at.y;  // a ring wider than the curve's foot reaches up to where it meets the curve
-  double ring = std::min(1.6 * wall, 0.5 * radius);
-  double hollow = std::min({0.7 * start, std::max(0.8 * shape.foot, 0.3 * wall), 0.5 * radius});
-  hollow = std::min(hollow, 0.8 * outside[0].at.y + 0.3 * wall);
-  double round = std::min({0.3 * ring, 0.45 * hollow, 0.45 * start});
+  double ring = std::min(kRingThick * wall, kMostOfRadius * radius);
+  double hollow = std::min(
+      {kMostOfStart * start, std::max(kDeep * shape.foot, kDeepThin * wall), kMostOfRadius * radius});
+  hollow = std::min(hollow, kDeep * outside[0].at.y + kDeepThin * wall);
+  double round = std::min({kRoundThin * ring, kRound * hollow, kRound * start});
   line.push_back({0, hollow});
   if (round > 1e-9) {
     line.push_back({radius - ring, hollow});
@@ -127,23 +138,26 @@ std::vector<glm::dvec2> round_lip(std::vector<glm::dvec2>& outer, std::vector<gl
 
 /// The inside from the lip down to the floor, which it meets in a hollow curve.
 std::vector<glm::dvec2> inside_line(const std::vector<Station>& outside, double wall, double floor) {
+  constexpr double kRoundWalls = 2.5, kMostRound = 0.4;  // radius at the floor: of the wall, of the inside's
+  constexpr double kMostWider = 1.2;  // at the floor the inside is at most so much wider than its last point
   std::vector<glm::dvec2> line;
   for (auto s = outside.rbegin(); s != outside.rend(); ++s) {
     glm::dvec2 at = s->at + s->inward * wall;
     if (at.x <= 0.02 * wall || at.y <= floor) break;
     line.push_back(at);
   }
-  double round = line.empty() ? 0 : std::min(2.5 * wall, 0.4 * line.back().x);
+  double round = line.empty() ? 0 : std::min(kRoundWalls * wall, kMostRound * line.back().x);
   while (line.size() > 2 && line.back().y < floor + round && line.back().x > 2 * round) {
     line.pop_back();
-    round = std::min(round, 0.4 * line.back().x);
+    round = std::min(round, kMostRound * line.back().x);
   }
   if (line.empty()) return line;
   // Along the wall's own slope down to the floor, then inward.
   glm::dvec2 from = line.back(), corner(from.x, floor);
   if (line.size() > 1) {
     glm::dvec2 down = from - line[line.size() - 2];
-    if (down.y < -1e-9) corner.x = std::clamp(from.x + down.x * (floor - from.y) / down.y, 0.0, 1.2 * from.x);
+    if (down.y < -1e-9)
+      corner.x = std::clamp(from.x + down.x * (floor - from.y) / down.y, 0.0, kMostWider * from.x);
   }
   glm::dvec2 to(std::max(0.0, corner.x - std::max(round, from.y - floor)), floor);
   std::array<glm::dvec2, 3> bow{{from, corner, to}};
@@ -223,7 +237,7 @@ Result<VesselProfile> vessel_profile(const VesselShape& shape) {
   if (crosses_itself(line)) return Error{"", "the profile crosses itself"};
 
   double wall = std::min(shape.wall, thickest_wall(outside));
-  for (int i = 0; i < kThinner; ++i, wall *= 0.85) {
+  for (int i = 0; i < kWallTries; ++i, wall *= kWallStep) {
     VesselProfile profile = profile_of(shape, outside, wall);
     if (profile.outline.empty() || crosses_itself(profile.outline)) continue;
     set_along(profile);

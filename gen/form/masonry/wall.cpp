@@ -21,12 +21,32 @@ struct Run {
   double left, right;
 };
 
+// Sizes are in metres and by eye.
+
+constexpr double kBeside = 0.01;     // from a brick's end, where a neighbour is looked for
+constexpr double kMeets = 0.05;      // width of what must lie below a brick to bear it
+constexpr double kFallen = 0.3;      // share of bricks that are gone where a ruin ends
+constexpr double kCopingOut = 0.03;  // by which the coping is wider than the wall
+
+/// A stone over or under an opening: how far it goes into the wall on either side, and stands out of it.
+struct DressedStone {
+  double bearing, front, back;
+};
+constexpr DressedStone kLintel{0.14, 0.012, 0.012}, kSill{0.06, 0.055, 0.01};
+
+/// How unevenly bricks lie at wear 1, at most.
+struct Unevenness {
+  double off, lean;  ///< metres out of the face, radians
+};
+constexpr Unevenness kUnevenWall{0.0035, radians(0.9)}, kUnevenCoping{0.006, radians(1.3)};
+
 class WallMason {
  public:
   WallMason(const WallShape& shape, Seed seed) : s_(shape), seed_(seed) {
     course_ = s_.brick.y + s_.joint;
     courses_ = std::max(1, static_cast<int>(std::lround(s_.height / course_)));
-    int fits = static_cast<int>((s_.thickness + s_.joint) / (s_.brick.z + s_.joint) + 0.2);
+    constexpr double kMayLack = 0.2;  // of a brick's depth
+    int fits = static_cast<int>((s_.thickness + s_.joint) / (s_.brick.z + s_.joint) + kMayLack);
     leaves_ = std::max(1, fits);
     depth_ = (s_.thickness - (leaves_ - 1) * s_.joint) / leaves_;
   }
@@ -62,35 +82,37 @@ class WallMason {
     double low = o.kind == WallHole::door ? 0 : std::clamp(snapped(o.sill), 0.0, top);
     double high = std::clamp(snapped(low + o.height), 0.0, top);
     if (right - left < 0.05 || high - low < course_) return;
-    double bearing = 0.14, lintel = std::min(top, high + 2 * course_);
+    double bearing = kLintel.bearing, lintel = std::min(top, high + 2 * course_);
     // Where a ruin no longer reaches over an opening, it is a gap.
     bool fallen = std::min(standing(left - bearing), standing(right + bearing)) < lintel + course_;
     regions_.push_back({left, right, low, fallen ? top : high, true});
     if (fallen) return;
-    if (lintel > high) add_stone(left - bearing, right + bearing, high, lintel, 0.012, 0.012);
+    if (lintel > high) add_stone(left - bearing, right + bearing, high, lintel, kLintel);
     if (o.kind != WallHole::door && low > course_)
-      add_stone(left - 0.06, right + 0.06, low - course_, low, 0.055, 0.01);
+      add_stone(left - kSill.bearing, right + kSill.bearing, low - course_, low, kSill);
     if (o.kind != WallHole::gap)
       append_joinery(wall_.blocks, {left, right, low, high, s_.thickness, o.kind == WallHole::door});
   }
 
   /// A stone through the wall, proud of its front and back.
-  void add_stone(double left, double right, double low, double high, double front, double back) {
+  void add_stone(double left, double right, double low, double high, const DressedStone& kind) {
     left = std::max(left, -s_.width / 2), right = std::min(right, s_.width / 2);
     regions_.push_back({left, right, low, high, false});
-    double gap = 0.3 * s_.joint, z = (front - back) / 2;
+    double gap = 0.3 * s_.joint, z = (kind.front - kind.back) / 2;
     WallBlock stone{WallPart::stone};
     stone.middle = Vec3((left + right) / 2, (low + high) / 2, z);
-    stone.size = Vec3(right - left - gap, high - low - gap, s_.thickness + front + back);
+    stone.size = Vec3(right - left - gap, high - low - gap, s_.thickness + kind.front + kind.back);
     wall_.blocks.push_back(stone);
   }
 
   /// How high the ruin still stands there.
   double standing(double x) const {
+    constexpr double kHeap = 1.3;                // from high to high, about
+    constexpr double kMean = 0.5, kMore = 0.75;  // of what is lost at most
     if (s_.ruin <= 0) return 1e9;
     float shift = static_cast<float>(seed_.child("ruin").range(-99, 99));
-    double rough = fractal_noise(Vec3(static_cast<float>(x / 1.3) + shift, 0, shift), 3);
-    double lost = std::clamp(0.5 + 0.75 * rough, 0.0, 1.0);
+    double rough = fractal_noise(Vec3(static_cast<float>(x / kHeap) + shift, 0, shift), 3);
+    double lost = std::clamp(kMean + kMore * rough, 0.0, 1.0);
     return s_.height * (1 - s_.ruin * lost);
   }
 
@@ -128,8 +150,8 @@ class WallMason {
     }
     std::erase_if(bricks, [&](const Run& b) {
       double x = (b.left + b.right) / 2;
-      return middle > standing(x) ||
-             (s_.ruin > 0 && middle + course_ > standing(x) && brick_seed(row, b).child("gone").unit() < 0.3);
+      return middle > standing(x) || (s_.ruin > 0 && middle + course_ > standing(x) &&
+                                      brick_seed(row, b).child("gone").unit() < kFallen);
     });
     return bricks;
   }
@@ -137,7 +159,7 @@ class WallMason {
   /// Whether a brick lies on another one or on a stone.
   bool borne(const Run& brick, int row, const std::vector<Run>& below) const {
     auto under = [&](double left, double right) {
-      return std::min(right, brick.right) - std::max(left, brick.left) > 0.05;
+      return std::min(right, brick.right) - std::max(left, brick.left) > kMeets;
     };
     return std::ranges::any_of(below, [&](const Run& b) { return under(b.left, b.right); }) ||
            std::ranges::any_of(regions_, [&](const Region& r) {
@@ -145,6 +167,7 @@ class WallMason {
            });
   }
 
+  /// By its place to the millimetre.
   Seed brick_seed(int row, const Run& b) const {
     return seed_.child("course", static_cast<std::uint64_t>(row))
         .child(static_cast<std::uint64_t>(std::llround((b.left + s_.width) * 1000)));
@@ -181,23 +204,24 @@ class WallMason {
 
   /// The bricks of all leaves of the wall at one place; those within show only at ends and tops.
   void place_brick(const FaceGrid& grid, int row, const Run& run) {
+    constexpr double kLower = 0.05;  // share of its height that a brick loses by wear, at most
     bool outside = !grid.at((run.left + run.right) / 2, (row + 1.5) * course_) ||
-                   !grid.at(run.left - 0.01, (row + 0.5) * course_) ||
-                   !grid.at(run.right + 0.01, (row + 0.5) * course_);
+                   !grid.at(run.left - kBeside, (row + 0.5) * course_) ||
+                   !grid.at(run.right + kBeside, (row + 0.5) * course_);
     for (int leaf = 0; leaf < leaves_; ++leaf) {
       if (leaf != 0 && leaf != leaves_ - 1 && !outside) continue;
       Seed own = brick_seed(row, run).child("leaf", static_cast<std::uint64_t>(leaf));
-      bool at_left = !grid.at(run.left - 0.01, (row + 0.5) * course_);
-      bool at_right = !grid.at(run.right + 0.01, (row + 0.5) * course_);
+      bool at_left = !grid.at(run.left - kBeside, (row + 0.5) * course_);
+      bool at_right = !grid.at(run.right + kBeside, (row + 0.5) * course_);
       double left = run.left + (at_left ? 0 : s_.joint / 2),
              right = run.right - (at_right ? 0 : s_.joint / 2);
       double z = s_.thickness / 2 - depth_ / 2 - leaf * (depth_ + s_.joint);
-      double off = s_.wear * own.child(0).range(-0.0035, 0.0035);
+      double off = s_.wear * own.child(0).range(-kUnevenWall.off, kUnevenWall.off);
       WallBlock brick;
       brick.middle = Vec3((left + right) / 2, row * course_ + (s_.joint + s_.brick.y) / 2 + s_.joint / 4,
                           z + (leaf == leaves_ - 1 && leaves_ > 1 ? -off : off));
-      brick.size = Vec3(right - left, s_.brick.y * (1 - 0.05 * s_.wear * own.child(1).unit()), depth_);
-      float lean = static_cast<float>(s_.wear * radians(0.9));
+      brick.size = Vec3(right - left, s_.brick.y * (1 - kLower * s_.wear * own.child(1).unit()), depth_);
+      float lean = static_cast<float>(s_.wear * kUnevenWall.lean);
       brick.turn = glm::angleAxis(lean * static_cast<float>(own.child(2).range(-1, 1)), Vec3(0, 1, 0)) *
                    glm::angleAxis(lean * static_cast<float>(own.child(3).range(-1, 1)), Vec3(0, 0, 1));
       wall_.blocks.push_back(brick);
@@ -206,7 +230,7 @@ class WallMason {
 
   /// The top course: bricks on edge, a little wider than the wall.
   void lay_coping() {
-    double y = courses_ * course_, high = s_.brick.z, deep = s_.thickness + 0.03;
+    double y = courses_ * course_, high = s_.brick.z, deep = s_.thickness + kCopingOut;
     for (const Run& run : free_runs(y - 1e-6)) {
       double length = run.right - run.left, middle = (run.left + run.right) / 2;
       int count = std::max(1, static_cast<int>(std::lround(length / course_)));
@@ -214,8 +238,9 @@ class WallMason {
       for (int i = 0; i < count; ++i) {
         double x = run.left + (i + 0.5) * step;
         Seed own = seed_.child("coping", static_cast<std::uint64_t>(std::llround((x + s_.width) * 1000)));
-        float lean = static_cast<float>(s_.wear * radians(1.3) * own.child(1).range(-1, 1));
-        Vec3 at(x, y + (s_.joint + high) / 2, s_.wear * own.child(0).range(-0.006, 0.006));
+        float lean = static_cast<float>(s_.wear * kUnevenCoping.lean * own.child(1).range(-1, 1));
+        Vec3 at(x, y + (s_.joint + high) / 2,
+                s_.wear * own.child(0).range(-kUnevenCoping.off, kUnevenCoping.off));
         wall_.blocks.push_back(
             {WallPart::brick, at, Vec3(step - s_.joint, high, deep), glm::angleAxis(lean, Vec3(0, 0, 1))});
       }

@@ -68,10 +68,12 @@ void append_box(Surface& to, Vec3 middle, Vec3 size) {
 
 namespace {
 
+/// Timber of windows and doors. Its sizes are in metres and by eye.
 class Joiner {
  public:
   Joiner(std::vector<WallBlock>& blocks, const Joinery& hole) : blocks_(blocks), hole_(hole) {
-    z_ = hole.thickness / 2 - std::min(0.11, 0.55 * hole.thickness);
+    constexpr double kReveal = 0.11, kMostReveal = 0.55;  // behind the wall's face; at most, of its thickness
+    z_ = hole.thickness / 2 - std::min(kReveal, kMostReveal * hole.thickness);
   }
 
   void add(WallPart part, double left, double right, double low, double high, double z, double deep) {
@@ -93,50 +95,63 @@ class Joiner {
 
   /// A pane with its own frame and bars.
   void sash(double l, double r, double low, double high) {
-    double wide = 0.04, bar = 0.022;
-    add(WallPart::wood, l, l + wide, low, high, 0.008, 0.042);
-    add(WallPart::wood, r - wide, r, low, high, 0.008, 0.042);
-    add(WallPart::wood, l + wide, r - wide, high - wide, high, 0.008, 0.042);
-    add(WallPart::wood, l + wide, r - wide, low, low + 1.4 * wide, 0.008, 0.042);
-    double x0 = l + wide, x1 = r - wide, y0 = low + 1.4 * wide, y1 = high - wide;
-    add(WallPart::pane, x0 - 0.004, x1 + 0.004, y0 - 0.004, y1 + 0.004, 0, 0.006);
-    int rows = std::max(1, static_cast<int>(std::lround((y1 - y0) / 0.42)));
-    int columns = std::max(1, static_cast<int>(std::lround((x1 - x0) / 0.46)));
+    constexpr double kWide = 0.04, kFootWide = 1.4 * kWide;  // of its members, and of the lowest
+    constexpr double kProud = 0.008, kDeep = 0.042;          // before the plane of the pane; through it
+    constexpr double kBar = 0.022, kBarDeep = 0.03;
+    constexpr double kGlass = 0.006, kLetIn = 0.004;      // thickness; how far it reaches into the members
+    constexpr double kPaneHigh = 0.42, kPaneWide = 0.46;  // between bars, about
+    add(WallPart::wood, l, l + kWide, low, high, kProud, kDeep);
+    add(WallPart::wood, r - kWide, r, low, high, kProud, kDeep);
+    add(WallPart::wood, l + kWide, r - kWide, high - kWide, high, kProud, kDeep);
+    add(WallPart::wood, l + kWide, r - kWide, low, low + kFootWide, kProud, kDeep);
+    double x0 = l + kWide, x1 = r - kWide, y0 = low + kFootWide, y1 = high - kWide;
+    add(WallPart::pane, x0 - kLetIn, x1 + kLetIn, y0 - kLetIn, y1 + kLetIn, 0, kGlass);
+    int rows = std::max(1, static_cast<int>(std::lround((y1 - y0) / kPaneHigh)));
+    int columns = std::max(1, static_cast<int>(std::lround((x1 - x0) / kPaneWide)));
+    // Level bars are a millimetre before upright ones.
     for (int i = 1; i < rows; ++i) {
       double y = y0 + (y1 - y0) * i / rows;
-      add(WallPart::wood, x0, x1, y - bar / 2, y + bar / 2, 0.006, 0.03);
+      add(WallPart::wood, x0, x1, y - kBar / 2, y + kBar / 2, 0.006, kBarDeep);
     }
     for (int i = 1; i < columns; ++i) {
       double x = x0 + (x1 - x0) * i / columns;
-      add(WallPart::wood, x - bar / 2, x + bar / 2, y0, y1, 0.005, 0.03);
+      add(WallPart::wood, x - kBar / 2, x + kBar / 2, y0, y1, 0.005, kBarDeep);
     }
   }
 
   void window() {
-    double wide = 0.055;
-    frame(wide, 0.075);
-    double l = hole_.left + wide, r = hole_.right - wide, low = hole_.low + wide, high = hole_.high - wide;
-    if (r - l > 0.7) {
+    constexpr double kWide = 0.055, kDeep = 0.075;  // of the frame
+    constexpr double kWidestSash = 0.7, kBetween = 0.004;
+    frame(kWide, kDeep);
+    double l = hole_.left + kWide, r = hole_.right - kWide, low = hole_.low + kWide,
+           high = hole_.high - kWide;
+    if (r - l > kWidestSash) {
       double middle = (l + r) / 2;
-      sash(l, middle - 0.002, low, high);
-      sash(middle + 0.002, r, low, high);
+      sash(l, middle - kBetween / 2, low, high);
+      sash(middle + kBetween / 2, r, low, high);
     } else {
       sash(l, r, low, high);
     }
   }
 
   void door() {
-    double wide = 0.07;
-    frame(wide, 0.09);
-    double l = hole_.left + wide, r = hole_.right - wide, low = hole_.low + 0.012, high = hole_.high - wide;
-    int planks = std::max(2, static_cast<int>(std::lround((r - l) / 0.13)));
+    constexpr double kWide = 0.07, kDeep = 0.09;  // of the frame
+    constexpr double kAboveGround = 0.012;
+    constexpr double kPlank = 0.13, kThick = 0.035, kBetween = 0.004;  // of planks, side by side
+    constexpr double kUneven = 0.0015;  // how far planks lie before and behind the middle, in turn
+    constexpr double kLedge = 0.11, kLedgeDeep = 0.03, kFromEdge = 0.02;  // of the bars across them
+    frame(kWide, kDeep);
+    double l = hole_.left + kWide, r = hole_.right - kWide;
+    double low = hole_.low + kAboveGround, high = hole_.high - kWide;
+    int planks = std::max(2, static_cast<int>(std::lround((r - l) / kPlank)));
     for (int i = 0; i < planks; ++i) {
       double from = l + (r - l) * i / planks, to = l + (r - l) * (i + 1) / planks;
-      add(WallPart::wood, from + 0.002, to - 0.002, low, high, i % 2 ? 0.0015 : -0.0015, 0.035);
+      add(WallPart::wood, from + kBetween / 2, to - kBetween / 2, low, high, i % 2 ? kUneven : -kUneven,
+          kThick);
     }
-    for (double share : {0.12, 0.86}) {
+    for (double share : {0.12, 0.86}) {  // of the door's height
       double y = low + share * (high - low);
-      add(WallPart::wood, l + 0.02, r - 0.02, y - 0.055, y + 0.055, 0.03, 0.03);
+      add(WallPart::wood, l + kFromEdge, r - kFromEdge, y - kLedge / 2, y + kLedge / 2, 0.03, kLedgeDeep);
     }
   }
 
@@ -157,20 +172,27 @@ void append_joinery(std::vector<WallBlock>& blocks, const Joinery& hole) {
 }
 
 Surface worn_block(Vec3 size, double wear, Seed seed) {
+  // Metres, where nothing else is said; by eye.
+  constexpr float kMostRound = 0.22f;                         // radius of edges: at most, of the least side
+  constexpr float kNewRound = 0.0025f, kWornRound = 0.0045f;  // radius of edges: new, and by wear
+  constexpr float kChip = 0.0035f, kDent = 0.0012f;           // depths: of broken edges by wear, and of dents
+  constexpr float kChips = 38.0f, kDents = 55.0f;             // number a metre, about
+  constexpr float kMesh = 0.03f;                              // from point to point
+  constexpr float kBend = 0.4f;  // of the radius: the first line of points beside an edge
   Vec3 half = 0.5f * size;
   float least = std::min({size.x, size.y, size.z});
-  float round = std::min(0.22f * least, 0.0025f + 0.0045f * static_cast<float>(wear));
+  float round = std::min(kMostRound * least, kNewRound + kWornRound * static_cast<float>(wear));
   auto lines = [&](float h) {
-    int inner = std::clamp(static_cast<int>(std::lround(2 * h / 0.03f)), 2, 9);
-    std::vector<float> at{-h, -h + 0.4f * round};
+    int inner = std::clamp(static_cast<int>(std::lround(2 * h / kMesh)), 2, 9);
+    std::vector<float> at{-h, -h + kBend * round};
     for (int i = 0; i <= inner; ++i)
       at.push_back((h - round) * (2 * static_cast<float>(i) / static_cast<float>(inner) - 1));
-    at.push_back(h - 0.4f * round), at.push_back(h);
+    at.push_back(h - kBend * round), at.push_back(h);
     return at;
   };
   std::vector<float> xs = lines(half.x), ys = lines(half.y), zs = lines(half.z);
   float shift = static_cast<float>(seed.child("shift").range(-99, 99));
-  float chip = 0.0035f * static_cast<float>(wear), dent = 0.0012f * static_cast<float>(0.3 + wear);
+  float chip = kChip * static_cast<float>(wear), dent = kDent * static_cast<float>(0.3 + wear);
 
   Surface s;
   std::map<std::tuple<std::size_t, std::size_t, std::size_t>, std::uint32_t> known;
@@ -181,8 +203,8 @@ Surface worn_block(Vec3 size, double wear, Seed seed) {
       Vec3 direction = glm::normalize(out);
       // Edges and corners are rounded, more where something has struck them.
       float edge = (std::abs(out.x) > 0) + (std::abs(out.y) > 0) + (std::abs(out.z) > 0) > 1 ? 1.0f : 0.0f;
-      float struck = static_cast<float>(std::max(0.0, fractal_noise(p * 38.0f + shift, 2)));
-      float reach = round + dent * static_cast<float>(noise(p * 55.0f - shift)) - edge * chip * struck;
+      float struck = static_cast<float>(std::max(0.0, fractal_noise(p * kChips + shift, 2)));
+      float reach = round + dent * static_cast<float>(noise(p * kDents - shift)) - edge * chip * struck;
       s.position.push_back((core + direction * reach) / size);
     }
     return place->second;

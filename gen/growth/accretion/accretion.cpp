@@ -18,6 +18,9 @@ constexpr int kSteps = 16;              // of its growth that are kept
 constexpr std::size_t kBatch = 512;     // vertices that one thread takes at a time
 constexpr int kLook = 2, kLookAll = 8;  // layers after which what grows looks round, and all do
 constexpr float kMargin = 0.6f;         // edges that are left free before what stands in the way
+constexpr float kKnownRoom = 8;         // edges: free room is known as far as this
+constexpr float kShadeBox = 1.3f;       // of the reach: beyond it nothing shades
+constexpr float kShadeCell = 1.6f;      // edges
 
 template <class Body>
 void for_all(std::size_t count, const Body& body) {
@@ -64,17 +67,19 @@ class Skin {
         edge_(static_cast<float>(law.edge)),
         reach_(static_cast<float>(std::max(law.across, law.up))),
         layer_(reach_ / static_cast<float>(law.layers)),
-        shade_(
-            Vec3(-1.3f * static_cast<float>(law.across), -2 * edge_, -1.3f * static_cast<float>(law.across)),
-            Vec3(1.3f * static_cast<float>(law.across), 1.3f * static_cast<float>(law.up),
-                 1.3f * static_cast<float>(law.across)),
-            1.6f * edge_),
+        shade_(Vec3(-kShadeBox * static_cast<float>(law.across), -2 * edge_,
+                    -kShadeBox * static_cast<float>(law.across)),
+               Vec3(kShadeBox * static_cast<float>(law.across), kShadeBox * static_cast<float>(law.up),
+                    kShadeBox * static_cast<float>(law.across)),
+               kShadeCell * edge_),
         light_(world.light, Vec3(-static_cast<float>(law.across), 0, -static_cast<float>(law.across)),
                Vec3(law.across, law.up, law.across)) {
     for (int axis = 0; axis < 3; ++axis)
       lot_[axis] = static_cast<float>(seed.child("lumps", static_cast<std::uint64_t>(axis)).range(-99, 99));
-    float first = std::max(2.5f * edge_, 0.06f * reach_);
-    mesh_.start(Vec3(0, 0.2f * first, 0), first, edge_);
+    constexpr float kLeastFirst = 2.5f, kFirst = 0.06f;  // radius of the first ball: edges; of the reach
+    constexpr float kRaised = 0.2f;                      // of that radius
+    float first = std::max(kLeastFirst * edge_, kFirst * reach_);
+    mesh_.start(Vec3(0, kRaised * first, 0), first, edge_);
     resize();
     keep();
     for (int l = 0; l < law.layers; ++l) {
@@ -116,6 +121,7 @@ class Skin {
 };
 
 void Skin::look(bool all) {
+  constexpr float kStill = 0.05f;  // layers a layer
   shade_.clear();
   std::size_t count = mesh_.position.size();
   std::ranges::fill(alive_, 0);
@@ -128,7 +134,7 @@ void Skin::look(bool all) {
   auto lumps = static_cast<float>(law_.lumps), frequency = static_cast<float>(1 / law_.lump_size);
   for_all(count, [&](std::size_t v) {
     // Little changes where nothing grows any more.
-    if (!alive_[v] || (speed_[v] < 0.05f && !all)) return;
+    if (!alive_[v] || (speed_[v] < kStill && !all)) return;
     Vec3 at = mesh_.position[v];
     open_[v] = shade_.openness(at, mesh_.normal[v], static_cast<float>(law_.light)) *
                glm::mix(1.0f, light_(at), static_cast<float>(law_.light));
@@ -140,6 +146,12 @@ void Skin::look(bool all) {
 }
 
 void Skin::grow(int layer) {
+  constexpr float kStarved = 0.15f, kWellFed = 0.9f;  // of what is most in the open
+  constexpr float kSlows = 0.8f, kStops = 1.1f;       // of the reach
+  constexpr float kFastest = 1.5f;                    // layers a layer
+  constexpr float kAskAgain = 3;                      // edges of known room, below which it is asked for
+  constexpr float kMostGained = 1.3f;                 // of its own speed, by what neighbours share
+  constexpr float kLays = 0.15f;                      // layers a layer, from which a vertex counts as growing
   // What the vertices see changes little from layer to layer.
   if (layer % kLook == 1) look(layer % kLookAll == 1);
   std::size_t count = mesh_.position.size();
@@ -151,17 +163,17 @@ void Skin::grow(int layer) {
     Vec3 at = mesh_.position[v], n = mesh_.normal[v];
     // A body that is to be wider than high grows faster to its sides.
     float pace = glm::length(n * shape) / reach_;
-    float fed = std::pow(std::max(smooth_step(0.15f, 0.9f, open_[v] / most_open_), 1e-3f), hunger);
+    float fed = std::pow(std::max(smooth_step(kStarved, kWellFed, open_[v] / most_open_), 1e-3f), hunger);
     float rise = 1 + upward * n.y;
     float speed = pace * fed * std::max(0.0f, rise) * std::max(0.0f, lump_[v]);
     if (at.y < 0) speed *= std::max(0.0f, 1 + at.y / edge_);
     // Growth slows where the skin has come as far as it may.
     float gone = glm::length(at / shape);
-    speed *= 1 - smooth_step(0.8f, 1.1f, gone);
-    speed = std::min(speed, 1.5f);
+    speed *= 1 - smooth_step(kSlows, kStops, gone);
+    speed = std::min(speed, kFastest);
     if (speed > 1e-3f && world_.room) {
-      if (clearance_[v] < 3 * edge_) clearance_[v] = world_.room(at, 8 * edge_);
-      clearance_[v] = std::min(clearance_[v], 8 * edge_);
+      if (clearance_[v] < kAskAgain * edge_) clearance_[v] = world_.room(at, kKnownRoom * edge_);
+      clearance_[v] = std::min(clearance_[v], kKnownRoom * edge_);
       speed *= smooth_step(kMargin * edge_, 2 * edge_, clearance_[v]);
     }
     speed_[v] = speed;
@@ -169,10 +181,10 @@ void Skin::grow(int layer) {
   // Polyps share what they catch with their neighbours.
   std::vector<float> near = means_of_neighbours(mesh_.triangle, speed_);
   for (std::size_t v = 0; v < count; ++v) {
-    float speed = std::min(speed_[v] * 1.3f, 0.5f * speed_[v] + 0.5f * near[v]);
+    float speed = std::min(speed_[v] * kMostGained, 0.5f * speed_[v] + 0.5f * near[v]);
     mesh_.position[v] += mesh_.normal[v] * (speed * layer_);
-    if (clearance_[v] > 0) clearance_[v] -= 1.5f * layer_;
-    if (speed > 0.15f) laid_[v] = static_cast<float>(layer);
+    if (clearance_[v] > 0) clearance_[v] -= kFastest * layer_;
+    if (speed > kLays) laid_[v] = static_cast<float>(layer);
   }
   auto smoothing = static_cast<float>(law_.smoothing);
   mesh_.relax(0.4f, 0.3f * smoothing);

@@ -51,6 +51,8 @@ void GrowingSheets::start(const MarginStart& start, std::uint32_t sheet) {
 /// How fast each place of the rim may go, even along it.
 void GrowingSheets::set_paces(GrowingRim& rim) {
   auto lobes = static_cast<float>(law_.lobes), frequency = static_cast<float>(1 / law_.lobe_size);
+  constexpr float kSlowest = 0.3f;                 // pace that all keep; less of it, the more there are lobes
+  constexpr float kHalts = 0.5f, kUnhindered = 3;  // edges of free room
   std::vector<float>& pace = rim.pace;
   shift_.assign(rim.size(), Vec3(0));
   for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -58,8 +60,8 @@ void GrowingSheets::set_paces(GrowingRim& rim) {
     Vec3 at = sheet_.position[rim.vertex[i]];
     float uneven = 1 + lobes * static_cast<float>(fractal_noise(at * frequency + lot_, 2));
     float speed = std::clamp(uneven, 0.0f, 1.0f);
-    speed = std::max(speed, 0.3f * (1 - lobes));
-    if (world_.room) speed *= smooth_step(0.5f * edge_, 3 * edge_, world_.room(at, 6 * edge_));
+    speed = std::max(speed, kSlowest * (1 - lobes));
+    if (world_.room) speed *= smooth_step(kHalts * edge_, kUnhindered * edge_, world_.room(at, 6 * edge_));
     shift_[i].x = speed;
   }
   for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -81,7 +83,8 @@ void GrowingSheets::aim(GrowingRim& rim) {
   auto turn = static_cast<float>(law_.light / law_.reach) * step_;
   auto rise = static_cast<float>(std::sin(law_.pitch)), out = static_cast<float>(std::cos(law_.pitch));
   auto frequency = static_cast<float>(1 / law_.ruffle);
-  float stir = law_.excess > 1 ? 0.12f : 0.0f;
+  constexpr float kStir = 0.12f;  // radians a row, at most, by which ruffles begin
+  float stir = law_.excess > 1 ? kStir : 0.0f;
   for (std::size_t i = 0; i < count; ++i) {
     Vec3 along = from_[rim.next(i)] - from_[rim.prior(i)];
     float length = glm::length(along);
@@ -111,6 +114,7 @@ void GrowingSheets::aim(GrowingRim& rim) {
 
 /// Finds for each place of the rim what it must keep away from, and how far.
 void GrowingSheets::look_round(const GrowingRim& rim) {
+  constexpr float kBeside = 2.2f;  // edges along the sheet: what is nearer is no rival
   std::size_t count = rim.size();
   rivals_.resize(std::max(rivals_.size(), count));
   float reach = clearance_ + 2 * step_, whole = 0;
@@ -137,7 +141,7 @@ void GrowingSheets::look_round(const GrowingRim& rim) {
       if (owner_[who] == rim.sheet) {
         float distance = std::max(along(i, who), std::abs(sheet_.distance[own] - sheet_.distance[who]));
         distance = std::min(distance, sheet_.distance[own] + sheet_.distance[who]);
-        if (distance < 2.2f * edge_) return;
+        if (distance < kBeside * edge_) return;
         need = std::min(need, kRimBow * distance);
       }
       rivals_[i].push_back({who, need});
@@ -146,34 +150,42 @@ void GrowingSheets::look_round(const GrowingRim& rim) {
 }
 
 void GrowingSheets::keep_away(std::size_t i) {
+  constexpr float kGiveWay = 0.4f;  // of what is lacking, in a round
   for (const RimRival& rival : rivals_[i]) {
     std::uint32_t seat = seat_[rival.who];
     Vec3 off = to_[i] - (seat == kRimNobody ? sheet_.position[rival.who] : to_[seat]);
     float d2 = glm::dot(off, off);
     if (d2 >= rival.distance * rival.distance || d2 < 1e-12f) continue;
     float d = std::sqrt(d2);
-    shift_[i] += off * (0.4f * (rival.distance - d) / d);
+    shift_[i] += off * (kGiveWay * (rival.distance - d) / d);
   }
 }
 
 /// Whether the rim turns back on itself within a few vertices.
 bool GrowingSheets::is_kinked(const GrowingRim& rim, std::size_t i) const {
+  constexpr float kSharp = 0.6f, kFolded = 0.5f;  // chord over arc: from neighbour to neighbour; farther on
   std::size_t a = i, b = i;
   float arc = 0;
   int reach = std::min(3, static_cast<int>(rim.size()) / 6);  // a small ring turns back by itself
   for (int k = 0; k < reach; ++k) {
     arc += glm::distance(to_[b], to_[rim.next(b)]) + glm::distance(to_[a], to_[rim.prior(a)]);
     b = rim.next(b), a = rim.prior(a);
-    if (glm::distance(to_[a], to_[b]) < (k == 0 ? 0.6f : 0.5f) * arc) return true;
+    if (glm::distance(to_[a], to_[b]) < (k == 0 ? kSharp : kFolded) * arc) return true;
   }
   return false;
 }
 
 void GrowingSheets::relax(const GrowingRim& rim) {
+  // Shares of the offset to a goal by which a vertex moves in a round; a stiff sheet adds the second ones.
+  constexpr float kHome = 0.02f, kStiffHome = 0.10f;          // to where it would go alone
+  constexpr float kStraight = 0.05f, kStiffStraight = 0.45f;  // between its neighbours, across the sheet
+  constexpr float kSpread = 0.35f;                            // to where an edge has its length
+  constexpr float kUnkink = 0.6f;                             // between its neighbours, where it is kinked
+  constexpr float kLeastAhead = 0.3f;                         // of a step: the way that it makes at least
   std::size_t count = rim.size();
-  auto fold = 0.02f + 0.10f * static_cast<float>(law_.stiffness);
+  auto fold = kHome + kStiffHome * static_cast<float>(law_.stiffness);
   // What does not outgrow itself keeps the bends that it has: a tube is one.
-  float bend = law_.excess > 1 ? 0.05f + 0.45f * static_cast<float>(law_.stiffness) : 0;
+  float bend = law_.excess > 1 ? kStraight + kStiffStraight * static_cast<float>(law_.stiffness) : 0;
   for (int round = 0; round < kRimRounds; ++round) {
     shift_.assign(count, Vec3(0));
     for (std::size_t i = 0; i < count; ++i) {
@@ -183,7 +195,7 @@ void GrowingSheets::relax(const GrowingRim& rim) {
       float length = glm::length(apart);
       // Only a rim that outgrows what is there pushes.
       if (length < 1e-7f || (law_.excess <= 1 && length < rest_[i])) continue;
-      Vec3 push = apart * (0.35f * (rest_[i] - length) / length);
+      Vec3 push = apart * (kSpread * (rest_[i] - length) / length);
       shift_[i] -= push;
       shift_[j] += push;
     }
@@ -194,7 +206,7 @@ void GrowingSheets::relax(const GrowingRim& rim) {
       Vec3 across = glm::cross(tangent_[i], aim_[i]);
       if (a != i && b != i)
         shift_[i] += across * (bend * glm::dot(across, (to_[a] + to_[b]) * 0.5f - to_[i]));
-      if (is_kinked(rim, i)) shift_[i] += 0.6f * ((to_[a] + to_[b]) * 0.5f - to_[i]);
+      if (is_kinked(rim, i)) shift_[i] += kUnkink * ((to_[a] + to_[b]) * 0.5f - to_[i]);
       shift_[i] += fold * (from_[i] + aim_[i] * (step_ * rim.pace[i]) - to_[i]);
       keep_away(i);
     }
@@ -204,9 +216,9 @@ void GrowingSheets::relax(const GrowingRim& rim) {
       // No sharper turn than a row can make.
       float ahead = glm::dot(offset, aim_[i]);
       Vec3 aside = offset - aim_[i] * ahead;
-      float wide = glm::length(aside), most = 0.5f * std::max(ahead, 0.3f * step_);
+      float wide = glm::length(aside), most = 0.5f * std::max(ahead, kLeastAhead * step_);
       if (wide > most) aside *= most / wide;
-      offset = aim_[i] * std::max(ahead, 0.3f * step_) + aside;
+      offset = aim_[i] * std::max(ahead, kLeastAhead * step_) + aside;
       to_[i] = from_[i] + offset * (step_ * rim.pace[i] / glm::length(offset));
       if (world_.cling) {
         Vec3 normal(0, 1, 0);
@@ -220,7 +232,8 @@ void GrowingSheets::advance(GrowingRim& rim, int row) {
   // The first row is whole, or sheets would hang by single vertices.
   if (row > rim.first) set_paces(rim);
   // A tube that is hindered stops as a whole, or it would go on as a flap.
-  if (rim.tube && std::ranges::count(rim.pace, 0.0f) * 8 > std::ssize(rim.pace))
+  constexpr int kOneIn = 8;  // of its vertices has stopped
+  if (rim.tube && std::ranges::count(rim.pace, 0.0f) * kOneIn > std::ssize(rim.pace))
     std::ranges::fill(rim.pace, 0.0f);
   if (std::ranges::all_of(rim.pace, [](float p) { return p == 0; })) return;
   aim(rim);

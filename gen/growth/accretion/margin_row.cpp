@@ -9,23 +9,27 @@ namespace frond {
 
 /// What has come too near to something stays where it is, for good.
 void GrowingSheets::stop_what_collides(GrowingRim& rim) {
-  for (int round = 0; round < 6; ++round) {
+  constexpr int kRounds = 6;
+  constexpr float kTouches = 0.3f;  // edges of free room
+  constexpr float kTooNear = 0.8f;  // of the distance to keep
+  constexpr float kTurned = 0.3f;   // cosine: from how the sheet lay to how it would
+  for (int round = 0; round < kRounds; ++round) {
     bool any = false;
     for (std::size_t i = 0; i < rim.size(); ++i) {
       if (rim.pace[i] == 0) continue;
-      bool meets = world_.room && world_.room(to_[i], 2 * edge_) < 0.3f * edge_;
+      bool meets = world_.room && world_.room(to_[i], 2 * edge_) < kTouches * edge_;
       for (const RimRival& rival : rivals_[i]) {
         std::uint32_t seat = seat_[rival.who];
         Vec3 other = seat == kRimNobody ? sheet_.position[rival.who] : to_[seat];
         float now = glm::distance(to_[i], other);
-        if (now < 0.8f * rival.distance && now < glm::distance(from_[i], sheet_.position[rival.who]))
+        if (now < kTooNear * rival.distance && now < glm::distance(from_[i], sheet_.position[rival.who]))
           meets = true;
       }
       if (is_kinked(rim, i)) meets = true;
       // Nor does a sheet turn over.
       Vec3 side = glm::cross(to_[rim.next(i)] - to_[rim.prior(i)], to_[i] - from_[i]);
       Vec3 was = glm::cross(tangent_[i], rim.heading[i]);
-      if (glm::dot(side, was) < 0.3f * glm::length(side) * glm::length(was)) meets = true;
+      if (glm::dot(side, was) < kTurned * glm::length(side) * glm::length(was)) meets = true;
       if (!meets) continue;
       rim.pace[i] = 0;
       to_[i] = from_[i];
@@ -37,6 +41,8 @@ void GrowingSheets::stop_what_collides(GrowingRim& rim) {
 
 /// The row between the rim and where it has come to, which is the rim from then on.
 RimRow GrowingSheets::plan(const GrowingRim& rim) const {
+  constexpr float kMerge = 0.5f, kSplit = 1.45f;  // edges between two vertices
+  constexpr std::size_t kLeastLeft = 8;           // vertices of a rim that are not merged
   std::size_t count = rim.size(), gaps = rim.closed ? count : count - 1;
   RimRow row;
   GrowingRim& after = row.after = {
@@ -69,8 +75,8 @@ RimRow GrowingSheets::plan(const GrowingRim& rim) const {
     Vec3 between = (to_[i] + to_[j]) * 0.5f;
     float distance = (sheet_.distance[p] + sheet_.distance[q]) / 2 + step_ * rim.pace[i];
     if (above[i] == kRimNobody) {
-      bool near = j > i && rim.pace[i] > 0 && rim.pace[j] > 0 && left > 8 && i > 0 && j + 1 < count &&
-                  glm::distance(to_[i], to_[j]) < 0.5f * edge_;
+      bool near = j > i && rim.pace[i] > 0 && rim.pace[j] > 0 && left > kLeastLeft && i > 0 &&
+                  j + 1 < count && glm::distance(to_[i], to_[j]) < kMerge * edge_;
       if (near) {
         above[i] = above[j] = bear(between, {p, q}, distance, (u_[p] + u_[q]) / 2);
         put(above[i], heading_between(i, j), rim.pace[i]);
@@ -83,7 +89,7 @@ RimRow GrowingSheets::plan(const GrowingRim& rim) const {
     if (i >= gaps) continue;
     bool merges = j > i && above[j] != kRimNobody;
     bool moves = rim.pace[i] > 0 || rim.pace[j] > 0;
-    if (merges || !moves || glm::distance(to_[i], to_[j]) < 1.45f * edge_) continue;
+    if (merges || !moves || glm::distance(to_[i], to_[j]) < kSplit * edge_) continue;
     std::uint32_t m = bear(between, {p, q}, distance, (u_[p] + (j > i ? u_[q] : 1)) / 2);
     put(m, heading_between(i, j), std::max(rim.pace[i], rim.pace[j]));
   }

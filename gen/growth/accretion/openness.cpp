@@ -9,7 +9,13 @@ namespace {
 
 constexpr int kLevels = 4;
 constexpr std::size_t kConeSteps = 7;  // two on each level, one on the last
-constexpr float kWhole = 256;
+constexpr float kWhole = 256;          // parts of the face of a cell, in which areas are counted
+constexpr float kFirstStep = 1.5f;     // finest cells, from where a cone begins to its first step
+constexpr float kOffSkin = 0.9f;       // finest cells, from the skin to where a cone begins
+constexpr float kStepLength = 1.2f;    // cells of the step's level
+constexpr float kDark = 0.02f;         // share let through: below it a cone ends
+constexpr float kFromAbove = 1.3f;     // light straight from above, beside the 1 from all sides
+constexpr float kGround = 1.25f;       // ground takes of that below a height of 1 / this - 1
 
 /// Directions round the pole z: one along it, and two rings.
 struct Cone {
@@ -128,23 +134,23 @@ float Openness::openness(Vec3 at, Vec3 normal, float light) const {
   // Where cones begin, and how far away their steps are, in cells of the level of each step.
   std::array<Vec3, kConeSteps> from;
   std::array<float, kConeSteps> distance;
-  float away = 1.5f * cell;
+  float away = kFirstStep * cell;
   for (std::size_t step = 0; step < kConeSteps; ++step) {
     float size = levels_[step / 2].cell;
-    from[step] = (at + normal * (0.9f * cell) - low_) / size - 0.5f;
+    from[step] = (at + normal * (kOffSkin * cell) - low_) / size - 0.5f;
     distance[step] = away / size;
-    away += size * 1.2f;
+    away += size * kStepLength;
   }
   for (const Cone& cone : kCones) {
     Vec3 direction = side * cone.direction.x + other * cone.direction.y + normal * cone.direction.z;
     float weight = cone.share * (0.5f + 0.5f * std::abs(cone.direction.z));
     all += weight;
     // Ground holds up what comes from below.
-    float source =
-        1.3f * light * std::max(0.0f, direction.y) + (1 - light) * std::min(1.0f, 1.25f * (1 + direction.y));
+    float source = kFromAbove * light * std::max(0.0f, direction.y) +
+                   (1 - light) * std::min(1.0f, kGround * (1 + direction.y));
     if (source <= 0) continue;
     float through = 1;
-    for (std::size_t step = 0; step < kConeSteps && through > 0.02f; ++step)
+    for (std::size_t step = 0; step < kConeSteps && through > kDark; ++step)
       through *= 1 - std::min(1.0f, held_at(levels_[step / 2], from[step] + direction * distance[step]));
     come += weight * source * through;
   }

@@ -113,14 +113,19 @@ std::vector<float> react(const Surface& surface, const Reaction& reaction, Seed 
   auto steps = static_cast<int>(reaction.steps / pace);
   Rates rates{static_cast<float>(2 * second * pace), static_cast<float>(second * pace),
               static_cast<float>(pace), static_cast<float>(reaction.feed), static_cast<float>(reaction.kill)};
-  auto frequency = static_cast<float>(1.6 / reaction.wave);
+  // Drops of the second substance, by which the pattern begins: some of the vertices, or spots of noise.
+  constexpr std::uint32_t kTogether = 7;  // vertices that are alike
+  constexpr double kDrops = 0.16;         // share of vertices
+  constexpr double kSpot = 0.25;          // value of the noise, above which there is a spot
+  constexpr double kSpots = 1.6;          // units of the noise from wave to wave
+  auto frequency = static_cast<float>(kSpots / reaction.wave);
   Vec3 shift(static_cast<float>(seed.child("x").range(-99, 99)),
              static_cast<float>(seed.child("y").range(-99, 99)), 0);
   std::vector<Vec2> now(count), next(count);  // both substances
   for (std::size_t i = 0; i < count; ++i) {
     std::uint32_t v = order[i];
-    bool drop = reaction.fine ? seed.child(v / 7).unit() < 0.16
-                              : noise(surface.position[v] * frequency + shift) > 0.25;
+    bool drop = reaction.fine ? seed.child(v / kTogether).unit() < kDrops
+                              : noise(surface.position[v] * frequency + shift) > kSpot;
     now[i] = {drop ? 0.5f : 1.0f, drop ? 0.25f + 0.1f * static_cast<float>(seed.child("b", v).unit()) : 0.0f};
   }
   std::size_t batches = (count + kReactionBatch - 1) / kReactionBatch;

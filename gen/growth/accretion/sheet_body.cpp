@@ -9,6 +9,8 @@ namespace {
 
 using Edge = std::array<std::uint32_t, 2>;
 
+constexpr float kNoLimit = 1e3f;  // metres that no sheet is thick
+
 /// Edges of one triangle alone, as it runs through them.
 std::vector<Edge> open_edges(const Sheet& sheet) {
   struct Side {
@@ -59,18 +61,20 @@ std::vector<Vec3> back_then(const Sheet& sheet, const std::vector<Vec3>& last, f
 
 /// How far from the sheet its sides may be, that they do not cross where it is bent: shares of its radius.
 std::vector<float> bend_limits(const Sheet& sheet, const std::vector<Vec3>& normal) {
-  std::vector<float> limit(normal.size(), 1e3f);
+  constexpr float kOfRadius = 0.55f;  // share of the radius of a bend
+  constexpr float kSlope = 0.4f;      // metres by which it changes at most, a metre along the sheet
+  std::vector<float> limit(normal.size(), kNoLimit);
   for (auto [a, b, c] : sheet.triangle)
     for (auto [p, q] : {Edge{a, b}, Edge{b, c}, Edge{c, a}}) {
       float turn = glm::distance(normal[p], normal[q]);
-      float radius = 0.55f * glm::distance(sheet.position[p], sheet.position[q]) / std::max(turn, 1e-4f);
+      float radius = kOfRadius * glm::distance(sheet.position[p], sheet.position[q]) / std::max(turn, 1e-4f);
       limit[p] = std::min(limit[p], radius), limit[q] = std::min(limit[q], radius);
     }
   // It changes gently from place to place.
   for (int round = 0; round < 3; ++round)
     for (auto [a, b, c] : sheet.triangle)
       for (auto [p, q] : {Edge{a, b}, Edge{b, c}, Edge{c, a}}) {
-        float near = 0.4f * glm::distance(sheet.position[p], sheet.position[q]);
+        float near = kSlope * glm::distance(sheet.position[p], sheet.position[q]);
         limit[p] = std::min(limit[p], limit[q] + near), limit[q] = std::min(limit[q], limit[p] + near);
       }
   return limit;
@@ -83,7 +87,7 @@ class Layers {
     normal_ = even_normals(sheet);
     if (skin.plumb)
       for (Vec3& n : normal_) n = Vec3(0, 1, 0);
-    limit_ = skin.plumb ? std::vector<float>(normal_.size(), 1e3f) : bend_limits(sheet, normal_);
+    limit_ = skin.plumb ? std::vector<float>(normal_.size(), kNoLimit) : bend_limits(sheet, normal_);
     std::vector<Vec3> away(sheet.position.size(), Vec3(0));
     for (auto [a, b] : open_) {
       Vec3 out = glm::cross(sheet.position[b] - sheet.position[a], sheet.normal[a] + sheet.normal[b]);
@@ -103,13 +107,16 @@ class Layers {
   }
 
   std::vector<Vec3> at(float row) const {
+    constexpr float kSprout = 0.04f;   // of its size, at first
+    constexpr float kLinesAge = 0.1f;  // of the whole growth, by which growth lines stand out
+    constexpr float kBlunt = 0.45f;    // of the thickness: how far the edge goes beyond the rim
     bool now = row >= static_cast<float>(sheet_.rows);
     std::vector<Vec3> middle = now ? sheet_.position : back_then(sheet_, sheet_.position, row);
     std::vector<Vec3> normal = now || skin_.plumb ? normal_ : back_then(sheet_, normal_, row);
     auto rows = static_cast<float>(sheet_.rows);
     auto swell = [&](Vec3 p) {
       if (skin_.sprout <= 0) return p;
-      return p * (0.04f + 0.96f * smooth_step(0.0f, static_cast<float>(skin_.sprout), row / rows));
+      return p * (kSprout + 0.96f * smooth_step(0.0f, static_cast<float>(skin_.sprout), row / rows));
     };
     std::size_t count = middle.size();
     std::vector<Vec3> all(2 * count + rim_.size());
@@ -117,14 +124,14 @@ class Layers {
       float age = std::max(0.0f, std::min(row, sheet_.end[v]) - sheet_.row[v]) / rows;
       float n2 = glm::dot(normal[v], normal[v]);
       Vec3 n = n2 > 1e-8f ? normal[v] / std::sqrt(n2) : normal_[v];
-      float relief = static_cast<float>(skin_.lines) * (line(v) - 0.5f) * smooth_step(0.0f, 0.1f, age);
+      float relief = static_cast<float>(skin_.lines) * (line(v) - 0.5f) * smooth_step(0.0f, kLinesAge, age);
       all[v] = swell(middle[v] + n * std::min(limit_[v], skin_.upper(v, age) + relief));
       all[count + v] = swell(middle[v] - n * std::min(limit_[v], skin_.lower(v, age) + relief));
     }
     for (std::size_t e = 0; e < rim_.size(); ++e) {
       Vec3 up = all[rim_[e]], down = all[count + rim_[e]];
       all[2 * count + e] =
-          (up + down) * 0.5f + out_[e] * (0.45f * std::min(glm::distance(up, down), limit()));
+          (up + down) * 0.5f + out_[e] * (kBlunt * std::min(glm::distance(up, down), limit()));
     }
     return all;
   }
@@ -160,7 +167,7 @@ class Layers {
   }
 
  private:
-  float limit() const { return 0.02f; }  // of what is thick, the edge is blunt
+  float limit() const { return 0.02f; }  // metres: of what is thicker, the edge is blunt
 
   const Sheet& sheet_;
   const SheetSkin& skin_;

@@ -54,14 +54,16 @@ float length2(const Vec3& v) { return glm::dot(v, v); }
 }  // namespace
 
 void SkinMesh::start(Vec3 middle, float radius, float edge) {
-  const float g = 1.6180340f;
+  constexpr float kSide = 1.05f;     // of the radius: the edge of an icosahedron
+  constexpr float kLongest = 1.34f;  // of `edge`: longer sides are halved, about as in remesh()
+  const float g = 1.6180340f;        // the golden ratio
   position = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
               {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
   triangle = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
               {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
               {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
   parents.assign(position.size(), {kNone, kNone});
-  for (float side = 1.05f * radius; side > 1.34f * edge; side /= 2) {
+  for (float side = kSide * radius; side > kLongest * edge; side /= 2) {
     for (Vec3& p : position) p = glm::normalize(p);
     split(0);
   }
@@ -130,6 +132,8 @@ void SkinMesh::split(float longest) {
 void SkinMesh::flip() {
   std::vector<Side> sides =
       sides_of(triangle, position.size(), [](std::uint32_t, std::uint32_t) { return true; });
+  constexpr float kClearly = -0.2f;  // sum of cotangents: 0 at 180 degrees
+  constexpr float kRidge = 0.5f;     // cosine, of 60 degrees
   std::vector<char> touched(position.size());
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
     if (sides[i].key != sides[i + 1].key) continue;
@@ -143,10 +147,10 @@ void SkinMesh::flip() {
     auto cotangent = [](Vec3 u, Vec3 v) {
       return glm::dot(u, v) / std::max(glm::length(glm::cross(u, v)), 1e-20f);
     };
-    if (cotangent(ca, cb) + cotangent(da, db) > -0.2f) continue;
+    if (cotangent(ca, cb) + cotangent(da, db) > kClearly) continue;
     // Not over a ridge, and not where that edge is there already.
     Vec3 n1 = glm::cross(cb, ca), n2 = glm::cross(da, db);
-    if (glm::dot(n1, n2) < 0.5f * glm::length(n1) * glm::length(n2)) continue;
+    if (glm::dot(n1, n2) < kRidge * glm::length(n1) * glm::length(n2)) continue;
     std::uint64_t key = key_of(c, d);
     auto known = std::ranges::lower_bound(sides, key, {}, &Side::key);
     if (known != sides.end() && known->key == key) continue;
@@ -164,8 +168,9 @@ bool SkinMesh::folds(const Triangle& t, std::uint32_t from, std::uint32_t to) co
   auto area = [&](const Triangle& x) {
     return glm::cross(position[x[1]] - position[x[0]], position[x[2]] - position[x[0]]);
   };
+  constexpr float kTurned = 0.2f;  // cosine, of 78 degrees, by which a triangle may turn
   Vec3 before = area(t), after = area(moved);
-  return glm::dot(before, after) <= 0.2f * glm::length(before) * glm::length(after);
+  return glm::dot(before, after) <= kTurned * glm::length(before) * glm::length(after);
 }
 
 void SkinMesh::collapse(float shortest) {

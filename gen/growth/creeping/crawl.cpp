@@ -51,14 +51,15 @@ void begin(Growing& g, Tip tip, std::int32_t below) {
 bool branch(Growing& g, std::int32_t from, const Tread& at, std::int32_t node) {
   assert(from >= 0 && from < static_cast<std::int32_t>(g.tips.size()) && node >= 0);
   Seed seed = g.tips[from].seed.child("branch", static_cast<std::uint64_t>(g.tips[from].branches++));
+  constexpr double kRoomBeside = 0.8;  // of the spacing: where a branch looks for room, and how much it needs
   double side = seed.child("side").unit() < 0.5 ? -1 : 1, spacing = spacing_at(g.crawl, g.host, at);
   for (double sign : {side, -side}) {
     Tread t = at;
     t.heading = turned(t.heading, t.normal, sign * g.crawl.branch_angle);
     if (spacing > 0) {
-      DVec3 ahead = t.place + t.heading * (0.8 * spacing);
+      DVec3 ahead = t.place + t.heading * (kRoomBeside * spacing);
       g.crowd.gather(ahead, t.normal, {-2, from, 0}, spacing, g.near);
-      if (g.crowd.nearest(g.near, ahead) < 0.8 * spacing) continue;
+      if (g.crowd.nearest(g.near, ahead) < kRoomBeside * spacing) continue;
     }
     Tip tip = sprout(t, g.crawl, seed);
     tip.parent = from;
@@ -139,9 +140,10 @@ void rest_all(Growing& g) {
     if (tip.hangs && !tip.hung.empty()) hanging.push_back(tip.strand);
   parallel_for(hanging.size(), [&](std::size_t i) {
     Chain& chain = g.tips[hanging[i]].chain;
-    constexpr int kRounds = 25;
+    constexpr int kRounds = 25, kSweeps = 20;
+    constexpr double kAtRest = 5e-4;  // of a link: the farthest that a node moves in the last sweep
     for (int round = 0; round <= kRounds; ++round)
-      if (settle(chain, g.host, 20, static_cast<double>(round) / kRounds) < 5e-4) break;
+      if (settle(chain, g.host, kSweeps, static_cast<double>(round) / kRounds) < kAtRest) break;
   });
   for (std::int32_t t : hanging) set_hung(g, g.tips[t]);
 }

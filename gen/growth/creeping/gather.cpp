@@ -48,13 +48,14 @@ std::vector<std::int32_t> order_by_strand(const Nodes& nodes, const std::vector<
 /// Radii by age, times what the tips that a stem carries ask for.
 std::vector<float> radii(const Strands& out, const std::vector<std::int32_t>& parent, const Crawl& crawl) {
   assert(out.age.size() == parent.size() && crawl.radius > 0);
+  constexpr double kYoungest = 0.1;  // of the radius: that of the youngest node, as lift_of() has it
   std::size_t n = parent.size();
   std::vector<float> radius(n);
   std::vector<std::int32_t> carried(n, 0);
   for (std::size_t i = n; i-- > 0;) {
     carried[i] = std::max(carried[i], 1);
     if (parent[i] >= 0) carried[parent[i]] += carried[i];
-    double young = std::clamp(out.age[i] * crawl.ripening, 0.1, 1.0);
+    double young = std::clamp(out.age[i] * crawl.ripening, kYoungest, 1.0);
     double stem = crawl.pipe > 0 ? std::min(std::pow(carried[i], 1 / crawl.pipe), crawl.thickest) : 1.0;
     radius[i] = static_cast<float>(crawl.radius * young * stem);
   }

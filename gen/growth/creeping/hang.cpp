@@ -9,7 +9,13 @@ namespace frond {
 
 namespace {
 
-constexpr double kSlope = 0.5;  // the ground is no nearer than this share of the height above it
+constexpr double kSlope = 0.5;     // the ground is no nearer than this share of the height above it
+constexpr double kEnough = 0.98;   // of the lift: nearer to anything than this is too near
+constexpr double kPushed = 0.1;    // of a link, and the lift: a push out of where it may not be
+constexpr double kKnown = 4;       // links: the room about a place is known as far as this
+constexpr double kNearHole = 0.1;  // share of backs seen, from which a hole is near
+constexpr double kWatched = 0.25;  // links: no more room is taken as known near a hole
+constexpr int kPlaceTries = 8;
 
 /// What hinders the end of link `i`, which begins at `at`, from being at `to`: the offset to push it by, or
 /// nothing. What is known of the room about it saves most questions; where nothing hinders, `to` is known
@@ -18,26 +24,26 @@ std::optional<DVec3> hindrance(Chain& chain, const TriangleSurface& host, std::s
                                const DVec3& to) {
   assert(i < chain.room.size() && chain.link > 0);
   DVec3 offset = to - chain.clear[i];
-  double gone = glm::length(offset), reach = 4 * chain.link;
+  double gone = glm::length(offset), reach = kKnown * chain.link;
   double room = chain.room[i] - gone;
   if (room < chain.lift) {
     double height = chain.ground ? to.y - (*chain.ground)(to.x, to.z) : reach / kSlope;
-    if (height < 0.98 * chain.lift) return DVec3(0, chain.lift - height, 0);
+    if (height < kEnough * chain.lift) return DVec3(0, chain.lift - height, 0);
     if (std::optional<Crossing> wall = host.crossing(chain.clear[i], to)) {
       DVec3 face = glm::dot(wall->normal, offset) > 0 ? -wall->normal : wall->normal;
       return face * (chain.lift - (1 - wall->share) * glm::dot(offset, face));
     }
     std::optional<Contact> near = host.closest(to, reach);
     room = near ? near->distance : reach;
-    if (near && room < 0.98 * chain.lift) {
+    if (near && room < kEnough * chain.lift) {
       if (room < 1e-6 * chain.lift) return -offset;
       return (to - near->point) * (chain.lift / room - 1);
     }
     if (chain.outside) {
       // No face is in the way of what slips in through a hole. Near one it is watched at each turn.
       BacksSeen backs = backs_seen(host, to);
-      if (backs.share > kBehind) return backs.out * (0.1 * chain.link + chain.lift);
-      if (backs.share > 0.1) room = std::min(room, std::max(0.25 * chain.link, chain.lift));
+      if (backs.share > kBehind) return backs.out * (kPushed * chain.link + chain.lift);
+      if (backs.share > kNearHole) room = std::min(room, std::max(kWatched * chain.link, chain.lift));
     }
     room = std::min(room, kSlope * height);
   }
@@ -46,7 +52,7 @@ std::optional<DVec3> hindrance(Chain& chain, const TriangleSurface& host, std::s
   if (room + below < chain.link)
     if (std::optional<Crossing> edge = host.crossing(at, to)) {
       DVec3 face = glm::dot(edge->normal, to - at) > 0 ? -edge->normal : edge->normal;
-      return face * (0.1 * chain.link + chain.lift);
+      return face * (kPushed * chain.link + chain.lift);
     }
   chain.clear[i] = to;
   chain.room[i] = room;
@@ -55,13 +61,14 @@ std::optional<DVec3> hindrance(Chain& chain, const TriangleSurface& host, std::s
 
 /// Puts the end of link `i` as near to a direction as the host lets it. False where there is no way.
 bool place_link(Chain& chain, const TriangleSurface& host, std::size_t i, const DVec3& at, DVec3 direction) {
-  for (int again = 0; again < 8; ++again) {
+  for (int again = 0; again < kPlaceTries; ++again) {
     DVec3 to = at + direction * chain.link;
     std::optional<DVec3> push = hindrance(chain, host, i, at, to);
     if (!push) {
       chain.place[i] = to;
       return true;
     }
+    // Half a push farther each time.
     DVec3 aside = direction * chain.link + *push * (1 + 0.5 * again);
     double length = glm::length(aside);
     if (!(length > 0)) return false;
@@ -117,7 +124,10 @@ double settle(Chain& chain, const TriangleSurface& host, int sweeps, double calm
   assert(calm >= 0 && calm <= 1 && chain.link > 0);
   assert(chain.curl.size() == chain.place.size() && chain.load.size() == chain.place.size());
   assert(chain.clear.size() == chain.place.size() && chain.room.size() == chain.place.size());
-  const double eager_by = 1.8 - 0.8 * calm;  // over-relaxation
+  constexpr double kEager = 1.8, kCalmer = 0.8;  // over-relaxation, and less of it by calm
+  constexpr double kGain = 0.5;                  // of a push, and at no calm, becomes a load
+  constexpr double kForgotten = 0.2;             // of a load is lost for each of that
+  const double eager_by = kEager - kCalmer * calm;
   std::size_t n = chain.place.size();
   std::vector<DVec3> link(n);
   double stiff = chain.stiffness * chain.stiffness * chain.stiffness / chain.link;
@@ -156,8 +166,8 @@ double settle(Chain& chain, const TriangleSurface& host, int sweeps, double calm
       }
       // The push that it took becomes a load that the links above feel, too.
       DVec3 pushed = chain.place[i] - (at + link[i] * chain.link);
-      double gain = 0.5 * (1 - calm);
-      chain.load[i] = (1 - 0.2 * gain) * chain.load[i] + gain * static_cast<double>(n) * pushed;
+      double gain = kGain * (1 - calm);
+      chain.load[i] = (1 - kForgotten * gain) * chain.load[i] + gain * static_cast<double>(n) * pushed;
       at = chain.place[i];
       moved = std::max(moved, glm::distance(at, place[i]) / chain.link);
     }

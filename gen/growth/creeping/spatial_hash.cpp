@@ -12,7 +12,9 @@ namespace frond {
 
 namespace {
 
-constexpr double kCell = 2;  // spacings: of 1.5 to 3, measured, the fastest
+constexpr double kCell = 2;        // spacings: of 1.5 to 3, measured, the fastest
+constexpr double kOwnTail = 2.2;   // spacings along itself in which a strand is not in its own way
+constexpr double kFromRoot = 1.2;  // spacings along itself in which a branch's parent is not in its way
 
 std::int32_t cell_of(double x, double size) {
   return static_cast<std::int32_t>(std::clamp(std::floor(x / size), -2e9, 2e9));
@@ -102,9 +104,9 @@ void SpatialHash::gather(const DVec3& place, const DVec3& normal, const Own& own
   near.clear();
   // In single precision, as the members are.
   Vec3 here(place), side(normal);
-  float reach2 = static_cast<float>(reach * reach), recent = static_cast<float>(2.2 * spacing_),
+  float reach2 = static_cast<float>(reach * reach), recent = static_cast<float>(kOwnTail * spacing_),
         since = static_cast<float>(own.since);
-  bool young = own.since < 1.2 * spacing_;
+  bool young = own.since < kFromRoot * spacing_;
   auto consider = [&](const Chunk& chunk) {
     for (std::uint32_t hits = within(chunk.place, here, reach2); hits != 0; hits &= hits - 1) {
       int i = std::countr_zero(hits);

@@ -25,6 +25,7 @@ double pseudo_angle(double x, double z) {
 }
 
 std::vector<Cut> level_cuts(const TriangleSurface& host, double height, const DVec3& facing) {
+  constexpr double kFacing = 0.5;  // cosine, of 60 degrees: from `facing` to a face's normal
   std::vector<Cut> cuts;
   DVec3 middle = 0.5 * (host.low() + host.high());
   for (std::uint32_t t = 0; t < host.triangles().size(); ++t) {
@@ -38,7 +39,8 @@ std::vector<Cut> level_cuts(const TriangleSurface& host, double height, const DV
       ends[found++] = a + (b - a) * ((height - a.y) / (b.y - a.y));
     }
     if (found != 2) continue;
-    if (glm::dot(facing, facing) > 0 && glm::dot(host.face_normal(t), glm::normalize(facing)) < 0.5) continue;
+    if (glm::dot(facing, facing) > 0 && glm::dot(host.face_normal(t), glm::normalize(facing)) < kFacing)
+      continue;
     DVec3 half = 0.5 * (ends[0] + ends[1]) - middle;
     cuts.push_back({ends[0], ends[1], t, pseudo_angle(half.x, half.z)});
   }

@@ -34,6 +34,10 @@ std::vector<HangingRun> hanging_runs(const Strands& s) {
 
 void swing_strands(const Strands& strands, const Breeze& breeze, double time, std::vector<Vec3>& position,
                    std::vector<Quat>& turn) {
+  constexpr double kSwingRoom = 0.6;     // share of the room
+  constexpr double kFirstMode = 1.2024;  // half the first zero of j0
+  constexpr double kSecondMode = 2.295;  // its second zero over the first
+  constexpr double kGusts = 0.31;        // of the first mode's rate; by eye
   const Skeleton& rest = strands.skeleton;
   assert(strands.hanging.size() == rest.size() && strands.room.size() == rest.size());
   position = rest.position;
@@ -54,14 +58,14 @@ void swing_strands(const Strands& strands, const Breeze& breeze, double time, st
     for (std::int32_t i = run.first; i <= run.last; ++i) {
       double lever = bridged ? glm::length(glm::cross(axis, rest.position[i] - base))
                              : rest.distance[i] - rest.distance[root];
-      if (lever > 1e-3 * length) most = std::min(most, 0.6 * strands.room[i] / lever);
+      if (lever > 1e-3 * length) most = std::min(most, kSwingRoom * strands.room[i] / lever);
     }
     // Each strand has its own moment; frequencies are those of a heavy chain: j0 of the Bessel function.
     double phase = breeze.phase + 2 * kPi * Seed{static_cast<std::uint64_t>(run.first)}.child(7).unit();
-    double slow_rate = 1.2024 * std::sqrt(kGravity / length) / (2 * kPi);
+    double slow_rate = kFirstMode * std::sqrt(kGravity / length) / (2 * kPi);
     double slow = 2 * kPi * looping_rate(slow_rate, breeze.film_length) * time + phase;
-    double fast = 2 * kPi * looping_rate(2.295 * slow_rate, breeze.film_length) * time + 2.4 * phase;
-    double gust = 2 * kPi * looping_rate(0.31 * slow_rate, breeze.film_length) * time + 1.7 * phase;
+    double fast = 2 * kPi * looping_rate(kSecondMode * slow_rate, breeze.film_length) * time + 2.4 * phase;
+    double gust = 2 * kPi * looping_rate(kGusts * slow_rate, breeze.film_length) * time + 1.7 * phase;
     double push = 0.35 + 0.3 * std::sin(gust) + 0.35 * std::sin(slow);
     for (std::int32_t i = run.first; i <= run.last; ++i) {
       double share = (rest.distance[i] - rest.distance[root]) / length;
@@ -70,9 +74,10 @@ void swing_strands(const Strands& strands, const Breeze& breeze, double time, st
         q = glm::angleAxis(static_cast<float>(most * push), axis);
       } else {
         // Lower parts of a chain turn more in the first mode, and against it in the second.
+        constexpr double kAside = 0.4;  // of the swing with the wind
         double first = 0.55 + 0.45 * share, second = 0.28 * (1 - 2.2 * share);
         q = tilt(wind, most * (first * push + second * std::sin(fast)),
-                 most * 0.4 * first * std::sin(0.5 * kPi + slow));
+                 most * kAside * first * std::sin(0.5 * kPi + slow));
       }
       turn[i] = q;
       std::int32_t below = rest.parent[i];

@@ -12,13 +12,14 @@ namespace frond {
 
 namespace {
 
-constexpr double kMoments = 24;    // stored in a second
-constexpr int kSubsteps = 6;       // of the simulation from moment to moment
-constexpr double kLongest = 20;    // seconds after which it repeats at the latest
-constexpr double kSettling = 8;    // seconds before the film
-constexpr double kMostBlend = 2;   // seconds
-constexpr double kUsedRoom = 0.8;  // share of the room; the rest is for rounding
-constexpr double kTilt = kPi / 32767;
+constexpr double kMoments = 24;        // stored in a second
+constexpr int kSubsteps = 6;           // of the simulation from moment to moment
+constexpr double kLongest = 20;        // seconds after which it repeats at the latest
+constexpr double kSettling = 8;        // seconds before the film
+constexpr double kMostBlend = 2;       // seconds over which the end passes into the beginning,
+constexpr double kBlendShare = 0.6;    // and share of a period, at most
+constexpr double kUsedRoom = 0.8;      // share of the room; the rest is for rounding
+constexpr double kTilt = kPi / 32767;  // radians of a step of what is stored
 
 /// Two directions across a segment.
 std::array<Vec3, 2> across(const Vec3& along) {
@@ -36,6 +37,7 @@ DVec3 air_at(const Breeze& breeze, const DVec3& place, double time, double perio
     return std::sin(2 * kPi * (rate * time - size * glm::dot(place, along) / breeze.gust + shift) +
                     breeze.phase);
   };
+  // The strengths of all are by eye.
   double ahead = 1 + 0.32 * gust(1, 0) + 0.22 * gust(1.7, 0.3) + 0.14 * gust(3.1, 0.6);
   double aside = 0.16 * gust(1.3, 0.1) + 0.1 * gust(2.3, 0.8);
   return breeze.speed * (along * ahead + DVec3(-along.z, 0, along.x) * aside);
@@ -74,7 +76,7 @@ void simulate(const Strands& strands, const Breeze& breeze, const HangingRun& ru
   const std::vector<DVec3> rest = strand.place;
   const DVec3 root = strand.root, middle = rest[rest.size() / 2];
   HungChain chain(std::move(strand), step);
-  const int blend = static_cast<int>(std::min(kMostBlend, 0.6 * period) / paths.step);
+  const int blend = static_cast<int>(std::min(kMostBlend, kBlendShare * period) / paths.step);
   const std::size_t n = rest.size();
   std::vector<Vec2> tilt;  // from `blend` moments before the film on
   tilt.reserve(static_cast<std::size_t>(blend + paths.steps) * n);

@@ -10,10 +10,10 @@ namespace frond {
 
 namespace {
 
-constexpr double kTooNear = 0.55;  // of the spacing: nobody goes nearer to a neighbour than this
-constexpr double kMuchTooNear = 0.35;
-constexpr double kOverhang = -0.5;    // the height of the normal below which a surface is one,
-constexpr double kNoOverhang = -0.1;  // and above which it is none any more
+constexpr double kTooNear = 0.55;      // of the spacing: nobody goes nearer to a neighbour than this
+constexpr double kMuchTooNear = 0.35;  // nor than this where it is crowded already
+constexpr double kOverhang = -0.5;     // the height of the normal below which a surface is one,
+constexpr double kNoOverhang = -0.1;   // and above which it is none any more
 
 /// The direction of the lure, and how much of the bias applies here.
 DVec3 lured(const Crawl& crawl, const Tread& tread, double when, double& share) {
@@ -35,8 +35,9 @@ DVec3 lured(const Crawl& crawl, const Tread& tread, double when, double& share) 
 
 /// A heading that follows a guide: along it in its middle, back to it near its rim.
 DVec3 guided(const Guides::View& guide, const DVec3& heading, const DVec3& normal) {
-  constexpr double kAlong = 0.25, kBack = 0.6;
-  double rim = smooth_step(0.3, 0.9, guide.distance / guide.width);
+  constexpr double kAlong = 0.25, kBack = 0.6;   // share of a turn to it, and more of it at the rim
+  constexpr double kMiddle = 0.3, kAtRim = 0.9;  // shares of its width
+  double rim = smooth_step(kMiddle, kAtRim, guide.distance / guide.width);
   DVec3 toward = guide.along;
   if (guide.distance > 0) toward += guide.toward * (2 * rim / guide.distance);
   return leaning(heading, normal, toward, guide.pull * (kAlong + kBack * rim));
@@ -100,8 +101,12 @@ void creep(Tip& tip, const TriangleSurface& host, const GroundHeight& ground, co
            Seed draw) {
   assert(!tip.hangs && crawl.speed > 0 && crawl.radius > 0);
   double lift = lift_of(crawl), rest = crawl.speed, unlaid = 0;
-  const double least = 0.05 * crawl.speed;
-  for (int strides = 0; rest > least && strides < 24; ++strides) {
+  constexpr int kMostStrides = 24;
+  constexpr double kLeastRest = 0.05;    // of a step: no stride is made for less
+  constexpr double kLeastStride = 0.02;  // of a step: a stride counts as that at least
+  constexpr double kCalm = 3;            // steps since the last edge, before which no other one counts
+  const double least = kLeastRest * crawl.speed;
+  for (int strides = 0; rest > least && strides < kMostStrides; ++strides) {
     Stride s = stride(host, tip.tread, rest, lift);
     if (s.footing == Footing::stuck) {
       if (tip.laid.empty()) block(tip, crawl, End::stuck);
@@ -110,7 +115,7 @@ void creep(Tip& tip, const TriangleSurface& host, const GroundHeight& ground, co
     bool overhang = s.tread.normal.y < kOverhang && !tip.under;
     if (overhang || s.tread.normal.y > kNoOverhang) tip.under = overhang;
     if (overhang ||
-        (s.footing == Footing::edge && tip.calm > 3 * crawl.speed && falls_away(host, tip, crawl))) {
+        (s.footing == Footing::edge && tip.calm > kCalm * crawl.speed && falls_away(host, tip, crawl))) {
       tip.calm = 0;
       if (draw.child(8 + strides).unit() < crawl.let_go) return let_go(tip, host, ground, crawl);
     }
@@ -130,7 +135,7 @@ void creep(Tip& tip, const TriangleSurface& host, const GroundHeight& ground, co
     tip.along += s.length;
     tip.tread = s.tread;
     unlaid += s.length;
-    rest -= std::max(s.length, 0.02 * crawl.speed);
+    rest -= std::max(s.length, kLeastStride * crawl.speed);
     if (!free) return stop(tip, End::box);
     if (unlaid > std::min(least, 0.5 * lift) || rest <= least) {
       lay(tip, crawl, step + 1 - std::max(rest, 0.0) / crawl.speed);
@@ -144,15 +149,18 @@ void creep(Tip& tip, const TriangleSurface& host, const GroundHeight& ground, co
 /// Takes hold again where the end of the chain touches the host; ends where it has come down on the ground.
 void grip(Tip& tip, const TriangleSurface& host, const Crawl& crawl) {
   assert(tip.hangs);
+  constexpr double kTouch = 1.2;     // of the lift: so near it touches
+  constexpr double kSearch = 4;      // of the lift: so near the host must be found then
+  constexpr int kTouchSweeps = 100;  // until it is nearly at rest
   Chain& chain = tip.chain;
   auto touches = [&] {
     double moved = glm::distance(chain.clear.back(), chain.place.back());
-    return chain.room.back() - moved < 1.2 * chain.lift;
+    return chain.room.back() - moved < kTouch * chain.lift;
   };
   if (chain.place.size() < 3 || !touches()) return;
-  settle(chain, host, 100);
+  settle(chain, host, kTouchSweeps);
   if (!touches()) return;
-  std::optional<Contact> under = host.closest(chain.place.back(), 4 * chain.lift);
+  std::optional<Contact> under = host.closest(chain.place.back(), kSearch * chain.lift);
   if (!under) return stop(tip, End::box);
   if (under->distance < 1e-3 * chain.lift) return;
   std::size_t n = chain.place.size();
@@ -173,17 +181,20 @@ void grip(Tip& tip, const TriangleSurface& host, const Crawl& crawl) {
 
 /// Grows a hanging strand by a link.
 void dangle(Tip& tip, const TriangleSurface& host, const Crawl& crawl, int step) {
+  constexpr double kCurl = 0.8, kMostCurl = 0.4;  // of the wander; at most, of a link
+  constexpr double kCurlRate = 0.16;              // units of the noise from link to link
+  constexpr int kLinkSweeps = 4;
   Chain& chain = tip.chain;
   if (chain.length() + chain.link > crawl.hang_most) return stop(tip, End::hung);
   std::size_t n = chain.place.size();
   DVec3 last = n == 0 ? chain.heading : chain.place[n - 1] - (n == 1 ? chain.root : chain.place[n - 2]);
   // It grows in slow curves of its own, the more so the less weight pulls it straight.
   double shift = tip.seed.child("curl").range(-500, 500);
-  DVec3 curl =
-      DVec3(noise3(Vec3(shift, 0.16 * static_cast<double>(n), 0))) * std::min(0.8 * crawl.wander, 0.4);
+  DVec3 curl = DVec3(noise3(Vec3(shift, kCurlRate * static_cast<double>(n), 0))) *
+               std::min(kCurl * crawl.wander, kMostCurl);
   if (!lengthen(chain, host, glm::normalize(glm::normalize(last) + curl), curl))
     return block(tip, crawl, End::stuck);
-  settle(chain, host, 4);
+  settle(chain, host, kLinkSweeps);
   tip.along += chain.link;
   DVec3 along = glm::normalize(last);
   tip.tread.place = tip.tread.contact = chain.place.back();
@@ -223,8 +234,9 @@ std::optional<DVec3> heading_with_room(const SpatialHash& crowd, double spacing,
   // Away from the neighbours, the more the nearer they are.
   DVec3 away = straight.away - tread.normal * glm::dot(straight.away, tread.normal);
   double strength = glm::length(away);
+  constexpr double kAway = 0.8;  // beside the heading's 1, where the nearest is at no distance
   if (strength > 1e-9)
-    consider(glm::normalize(heading + away * (0.8 * (1 - straight.nearest / spacing) / strength)));
+    consider(glm::normalize(heading + away * (kAway * (1 - straight.nearest / spacing) / strength)));
   if (room >= kTooNear * spacing) return best;
   // Not back on itself: a strand that finds no way ahead stops.
   for (double angle : {30.0, -30.0, 60.0, -60.0}) {

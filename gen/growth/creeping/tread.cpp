@@ -8,9 +8,16 @@ namespace frond {
 
 namespace {
 
-const double kEdge = std::cos(radians(30.0));
-const double kSharp = std::cos(radians(100.0));
+const double kEdge = std::cos(radians(30.0));    // of a stride's normals: over an edge
+const double kSharp = std::cos(radians(100.0));  // over an edge so sharp that it is neared in shorter strides
+constexpr double kGroove = 0.5;                  // cosine, of 60 degrees: out of a groove
 constexpr int kHalvings = 12;
+// Shares of the lift:
+constexpr double kOnSurface = 1e-3;  // nearer than this there is no direction off the surface
+constexpr double kToSurface = 1.01;  // from a tread down to where it surely meets what it is on
+constexpr double kMostCut = 0.7;     // how deep the line of a stride may cut through an edge
+constexpr double kLifted = 0.999;    // from here on the surface bends away below a tread
+constexpr double kOffCourse = 0.3;   // a stride that ends so far from where it led may have cut through
 
 /// Some direction at right angles to one of length 1.
 DVec3 across(const DVec3& n) {
@@ -38,7 +45,7 @@ bool cuts(const TriangleSurface& host, const DVec3& from, const DVec3& to, doubl
   DVec3 entry = from + (to - from) * in->share, exit = to + (from - to) * out->share;
   if (glm::distance(entry, exit) < 1e-9 * host.size()) return true;
   for (double share : {0.5, 0.25, 0.75})
-    if (!host.closest(entry + (exit - entry) * share, 0.7 * lift)) return true;
+    if (!host.closest(entry + (exit - entry) * share, kMostCut * lift)) return true;
   return false;
 }
 
@@ -52,10 +59,10 @@ Stride climb(const TriangleSurface& host, const Tread& from, const Crossing& wal
   Tread& t = s.tread;
   t.place += from.heading * run;
   t.normal = face;
-  if (std::optional<Crossing> foot = host.crossing(t.place, t.place - face * (1.01 * lift))) {
-    t.contact = t.place - face * (1.01 * lift * foot->share);
+  if (std::optional<Crossing> foot = host.crossing(t.place, t.place - face * (kToSurface * lift))) {
+    t.contact = t.place - face * (kToSurface * lift * foot->share);
     t.triangle = foot->triangle;
-  } else if (std::optional<Contact> near = host.closest(t.place); near->distance > 1e-3 * lift) {
+  } else if (std::optional<Contact> near = host.closest(t.place); near->distance > kOnSurface * lift) {
     // The wall was only grazed: its plane goes on where it does not.
     t.contact = near->point;
     t.triangle = near->triangle;
@@ -75,13 +82,13 @@ std::optional<Stride> attempt(const TriangleSurface& host, const Tread& from, do
   if (!under) return std::nullopt;
   Stride s{from, 0, Footing::held};
   DVec3 offset = ahead - under->point;
-  DVec3 normal = under->distance > 1e-3 * lift ? offset / under->distance : from.normal;
+  DVec3 normal = under->distance > kOnSurface * lift ? offset / under->distance : from.normal;
   double turn = glm::dot(normal, from.normal);
   s.tread.contact = under->point;
   s.tread.triangle = under->triangle;
-  bool convex = under->distance >= 0.999 * lift;
+  bool convex = under->distance >= kLifted * lift;
   if (convex && turn < kSharp && length > lift) return std::nullopt;
-  if (!convex && turn < 0.5 && glm::dot(from.heading, normal) >= 0) {
+  if (!convex && turn < kGroove && glm::dot(from.heading, normal) >= 0) {
     // Out of a groove: the other side of it is nearer than the one that is walked on.
     if (std::optional<Crossing> floor = host.crossing(ahead, ahead - from.normal * (2 * lift))) {
       normal = from.normal;
@@ -95,7 +102,8 @@ std::optional<Stride> attempt(const TriangleSurface& host, const Tread& from, do
   s.tread.heading = carried_along(from.heading, from.normal, normal);
   s.length = glm::distance(s.tread.place, from.place);
   if (convex && turn < kEdge) s.footing = Footing::edge;
-  if (glm::distance(s.tread.place, ahead) > 0.3 * lift && cuts(host, from.place, s.tread.place, turn, lift))
+  if (glm::distance(s.tread.place, ahead) > kOffCourse * lift &&
+      cuts(host, from.place, s.tread.place, turn, lift))
     return std::nullopt;
   return s;
 }

@@ -223,13 +223,15 @@ void TriangleSurface::adopt(Soup&& soup) {
 
 /// How many of four rays lead from one side (1 or -1) of a triangle into the open.
 double TriangleSurface::openness(std::uint32_t triangle, double side) const {
+  constexpr double kOff = 1e-5, kFar = 2;  // of the host's size: from the face; how far is looked
+  constexpr double kLean = 0.7;            // of rays to their side, beside the normal's 1
   const auto& c = corners_[triangle];
   DVec3 normal = side * face_normal(triangle), along = glm::normalize(DVec3(c[1]) - DVec3(c[0]));
-  DVec3 from = (DVec3(c[0]) + DVec3(c[1]) + DVec3(c[2])) / 3.0 + normal * (1e-5 * size());
+  DVec3 from = (DVec3(c[0]) + DVec3(c[1]) + DVec3(c[2])) / 3.0 + normal * (kOff * size());
   DVec3 across = glm::cross(normal, along);
   double open = 0;
   for (const DVec3& lean : {along, -along, across, -across})
-    open += !crossing(from, from + (normal + 0.7 * lean) * (2 * size()));
+    open += !crossing(from, from + (normal + kLean * lean) * (kFar * size()));
   return open;
 }
 
@@ -242,20 +244,23 @@ Result<TriangleSurface> TriangleSurface::build(const Surface& surface, std::stri
   host.adopt(Soup(soup));
   if (!host.tree_->build(host)) return Error{std::string(name), "Embree could not build its tree"};
   if (host.closed_) return host;
-  // Open pieces are looked at from both sides, at 64 of their triangles or so.
+  // Open pieces are looked at from both sides, at so many of their triangles or a few more, and turned where
+  // the back is clearly more in the open.
+  constexpr std::uint32_t kLooks = 64;
+  constexpr double kClearly = 1.25;
   std::vector<std::uint32_t> count(soup.pieces, 0), seen(soup.pieces, 0);
   std::vector<double> front(soup.pieces, 0), back(soup.pieces, 0);
   for (std::uint32_t p : soup.piece) ++count[p];
   for (std::uint32_t t = 0; t < soup.piece.size(); ++t) {
     std::uint32_t p = soup.piece[t];
-    if (soup.solid[t] || seen[p]++ % (1 + count[p] / 64) != 0) continue;
+    if (soup.solid[t] || seen[p]++ % (1 + count[p] / kLooks) != 0) continue;
     front[p] += host.openness(t, 1);
     back[p] += host.openness(t, -1);
   }
   bool turned = false;
   for (std::uint32_t t = 0; t < soup.piece.size(); ++t) {
     std::uint32_t p = soup.piece[t];
-    if (back[p] <= 1.25 * front[p] + 1) continue;
+    if (back[p] <= kClearly * front[p] + 1) continue;
     flip(soup, t);
     turned = true;
   }

@@ -76,6 +76,8 @@ double exponential_radius(double q) {
 }
 
 constexpr double kMedianExponential = 1.67834699;  // exponential_radius(0.5)
+constexpr double kMostYears = 1000;                // of an age that is told by height
+constexpr double kMostShare = 0.9999;              // of seeds, since the last ones of a tail lie anywhere
 
 }  // namespace
 
@@ -89,11 +91,11 @@ double height_at(const TreeSpecies& species, double age) {
 
 double age_at(const TreeSpecies& species, double height) {
   double share = std::pow(std::min(height / species.height, 1.0), 1 / species.shape);
-  return share < 1 ? std::min(-std::log(1 - share) / species.rate, 1000.0) : 1000;
+  return share < 1 ? std::min(-std::log(1 - share) / species.rate, kMostYears) : kMostYears;
 }
 
 double seed_distance(const TreeSpecies& species, double q) {
-  q = std::clamp(q, 0.0, 0.9999);
+  q = std::clamp(q, 0.0, kMostShare);
   switch (species.carrier) {
     case SeedCarrier::wind:  // 1 - (1 + r2/u)^-1 = q, whose median is the root of u
       return species.reach * std::sqrt(q / (1 - q));

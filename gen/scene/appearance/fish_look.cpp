@@ -13,7 +13,11 @@ namespace frond {
 
 namespace {
 
-constexpr double kSpan = 1.1;  // height of the picture, in lengths of the fish
+// Places and lengths are in lengths of the fish, marks and shades by eye.
+constexpr double kSpan = 1.1;        // height of the picture
+constexpr double kTailEdge = 0.02;   // half of what the tail's colour begins on
+constexpr double kDorsalEnd = 0.75;  // where the fin on the back ends
+constexpr double kAnalFrom = 0.52, kAnalLength = 0.23;
 
 Color mix(const Color& a, const Color& b, double t) {
   return mixed(a, b, static_cast<float>(std::clamp(t, 0.0, 1.0)));
@@ -32,12 +36,15 @@ double band(double x, double middle, double half, double soft) {
 /// Draws the marks over a colour.
 Color marked(const FishLook& look, Color color, double along, double share, double wobble) {
   if (look.pattern == FishPattern::plain) return color;
+  constexpr double kSoftBar = 0.006, kSoftLine = 0.02;  // half of an edge; of lines by the depth
+  constexpr double kLengthByDepth = 2.5;                // lines are measured across the depth
+  constexpr double kWobble = 0.012;
   bool bars = look.pattern == FishPattern::bars;
-  double x = bars ? along : share, half = look.mark_width / 2, soft = bars ? 0.006 : 0.02;
-  if (!bars) half *= 2.5;  // lines are measured across the depth
+  double x = bars ? along : share, half = look.mark_width / 2, soft = bars ? kSoftBar : kSoftLine;
+  if (!bars) half *= kLengthByDepth;
   for (int i = 0; i < look.marks; ++i) {
     double t = look.marks > 1 ? static_cast<double>(i) / (look.marks - 1) : 0;
-    double middle = look.mark_from + (look.mark_to - look.mark_from) * t + 0.012 * wobble;
+    double middle = look.mark_from + (look.mark_to - look.mark_from) * t + kWobble * wobble;
     if (bars) middle += 0.03 * std::sin(kPi * share) - 0.02;  // they bow forward at the flank
     if (look.edging > 0) color = mix(color, look.edge, band(x, middle, half * (1 + look.edging), soft));
     color = mix(color, look.mark, band(x, middle, half, soft));
@@ -47,9 +54,12 @@ Color marked(const FishLook& look, Color color, double along, double share, doub
 
 /// The rows of scales: darker where one lies over the next.
 double scale_shade(double along, double up) {
-  double row = up / 0.016, column = along / 0.02 + 0.5 * (static_cast<int>(std::floor(row)) & 1);
+  constexpr double kHigh = 0.016, kLong = 0.02;  // a scale
+  double row = up / kHigh, column = along / kLong + 0.5 * (static_cast<int>(std::floor(row)) & 1);
   double y = row - std::floor(row) - 0.5, x = column - std::floor(column) - 0.5;
-  return smooth_step(0.30, 0.56, std::hypot(x, y)) - 0.35;
+  constexpr double kRimFrom = 0.30, kRimTo = 0.56;  // from a scale's middle, by its size
+  constexpr double kMean = 0.35;                    // about, so that scales do not darken it all
+  return smooth_step(kRimFrom, kRimTo, std::hypot(x, y)) - kMean;
 }
 
 Color body_color(const FishForm& form, const FishLook& look, double along, double up) {
@@ -57,27 +67,38 @@ Color body_color(const FishForm& form, const FishLook& look, double along, doubl
   double share = std::clamp(0.5 + 0.5 * up / std::max(half, 1e-3), 0.0, 1.0);  // 0 belly .. 1 back
   Color color = mix(look.belly, look.flank, smooth_step(0.08, 0.42, share));
   color = mix(color, look.back, smooth_step(0.55, 0.95, share));
-  color = mix(color, look.tail, smooth_step(look.tail_from - 0.02, look.tail_from + 0.02, along));
+  color = mix(color, look.tail, smooth_step(look.tail_from - kTailEdge, look.tail_from + kTailEdge, along));
   double wobble = std::sin(23 * along + 5) * std::sin(31 * up + 2);
   color = marked(look, color, along, share, wobble);
-  // The edge of the gill cover, and the mouth.
-  double gill = std::abs(std::hypot((along - 0.10) / 0.8, up * 0.62) - 0.125);
-  if (along > 0.12) color = shaded(color, 1 - 0.28 * (1 - smooth_step(0.0, 0.008, gill)));
-  if (along > 0.2) color = shaded(color, 1 - 0.30 * look.scales * scale_shade(along, up));
-  if (along < 0.05) color = shaded(color, 1 - 0.5 * band(up, -0.012 - 0.1 * along, 0.004, 0.003));
+  // The edge of the gill cover, part of an ellipse, and the mouth; each of them is darker by a share.
+  constexpr double kGillAt = 0.10, kGillRadius = 0.125, kGillLong = 0.8, kGillFlat = 0.62, kGillWidth = 0.008;
+  constexpr double kGillFrom = 0.12, kScalesFrom = 0.2, kMouthTo = 0.05;
+  constexpr double kGillDark = 0.28, kScalesDark = 0.30, kMouthDark = 0.5;
+  double gill = std::abs(std::hypot((along - kGillAt) / kGillLong, up * kGillFlat) - kGillRadius);
+  if (along > kGillFrom) color = shaded(color, 1 - kGillDark * (1 - smooth_step(0.0, kGillWidth, gill)));
+  if (along > kScalesFrom) color = shaded(color, 1 - kScalesDark * look.scales * scale_shade(along, up));
+  if (along < kMouthTo) color = shaded(color, 1 - kMouthDark * band(up, -0.012 - 0.1 * along, 0.004, 0.003));
   return color;
 }
 
 Color fin_color(const FishLook& look, double along, double up, double share) {
-  Color color = mix(look.fins, look.tail, smooth_step(look.tail_from - 0.02, look.tail_from + 0.02, along));
+  Color color =
+      mix(look.fins, look.tail, smooth_step(look.tail_from - kTailEdge, look.tail_from + kTailEdge, along));
   if (look.marked_fins && look.pattern == FishPattern::bars) color = marked(look, color, along, share, 0);
-  // Rays: along the tail, up and back on the other fins.
-  double across = along > 0.8 ? up / (0.25 + along - 0.8) * 46 : (along - 0.35 * std::abs(up)) * 95;
-  return shaded(color, 0.93 + 0.13 * std::sin(2 * kPi * across));
+  // Rays: along the tail, from a place before it, up and back on the other fins.
+  constexpr double kFanFrom = 0.25, kFanRays = 46;  // how far before it, and how many by rise over run
+  constexpr double kRays = 95, kBack = 0.35;        // on a length of fish; run by rise
+  constexpr double kMean = 0.93, kRelief = 0.13;    // of their shade
+  double across = along > kFishBody ? up / (kFanFrom + along - kFishBody) * kFanRays
+                                    : (along - kBack * std::abs(up)) * kRays;
+  return shaded(color, kMean + kRelief * std::sin(2 * kPi * across));
 }
 
 Color eye_over(const FishForm& form, const FishLook& look, Color color, double along, double up) {
-  double middle = 0.105 + 0.04 * form.snout, raised = 0.32 * fish_depth(form, middle / kFishBody);
+  constexpr double kBlunt = 0.105, kBeak = 0.04;  // where it is behind a blunt snout, and more behind a beak
+  constexpr double kRaised = 0.32;                // by half of the depth there
+  double middle = kBlunt + kBeak * form.snout, raised = kRaised * fish_depth(form, middle / kFishBody);
+  // Socket, iris and pupil by the eye's radius, and a glint by its width.
   double r = std::hypot(along - middle, up - raised) / (look.eye / 2);
   color = mix(color, shaded(look.back, 0.5), 0.5 * (1 - smooth_step(1.0, 1.35, r)));
   color = mix(color, look.iris, 1 - smooth_step(0.92, 1.06, r));
@@ -105,19 +126,22 @@ Raster fish_picture(const FishForm& form, const FishLook& look) {
 }  // namespace
 
 double fish_depth(const FishForm& form, double at) {
+  constexpr double kBlunt = 0.5, kBeak = 0.7;  // power of the outline in front: 0.5 is round, 1 pointed
+  constexpr double kFull = 0.85;               // power of it behind: the less, the fuller
+  constexpr double kEarly = 1.04;              // it is as thin as it gets a little before the tail
   double t = std::clamp(at, 0.0, 1.0), peak = form.deepest;
   double shape = 0;
   if (t < peak) {
-    shape = std::pow(std::sin(0.5 * kPi * t / peak), 0.5 + 0.7 * form.snout);
+    shape = std::pow(std::sin(0.5 * kPi * t / peak), kBlunt + kBeak * form.snout);
   } else {
-    double fall = (t - peak) / (1 - peak), ease = 0.5 + 0.5 * std::cos(kPi * std::min(1.0, 1.04 * fall));
-    shape = form.peduncle + (1 - form.peduncle) * std::pow(ease, 0.85);
+    double fall = (t - peak) / (1 - peak), ease = 0.5 + 0.5 * std::cos(kPi * std::min(1.0, kEarly * fall));
+    shape = form.peduncle + (1 - form.peduncle) * std::pow(ease, kFull);
   }
   return 0.5 * form.depth * shape;
 }
 
 double dorsal_height(const FishForm& form, double at) {
-  double t = (at - form.dorsal_from) / (0.75 - form.dorsal_from);
+  double t = (at - form.dorsal_from) / (kDorsalEnd - form.dorsal_from);
   if (t <= 0 || t >= 1) return 0;
   // Spiny in front, a soft lobe behind.
   return form.dorsal * (0.75 * std::pow(std::sin(kPi * std::pow(t, 0.6)), 0.5) +
@@ -125,7 +149,7 @@ double dorsal_height(const FishForm& form, double at) {
 }
 
 double anal_height(const FishForm& form, double at) {
-  double t = (at - 0.52) / 0.23;
+  double t = (at - kAnalFrom) / kAnalLength;
   return t <= 0 || t >= 1 ? 0 : form.anal * std::pow(std::sin(kPi * std::pow(t, 0.8)), 0.6) * (0.8 + 0.4 * t);
 }
 

@@ -10,17 +10,19 @@ namespace frond {
 
 namespace {
 
-constexpr int kSteps = 5;         // from colour to colour
-constexpr float kLeast = 0.02f;   // share of its size below which a leaf is not there
-constexpr double kUnfold = 0.06;  // years in which a leaf unfolds
-constexpr double kDarken = 0.11;  // years until it is dark
-constexpr double kWither = 0.12;  // years in which what lies takes the last colour
+constexpr int kSteps = 5;              // from colour to colour
+constexpr float kLeast = 0.02f;        // share of its size below which a leaf is not there
+constexpr double kUnfold = 0.06;       // years in which a leaf unfolds
+constexpr double kDarken = 0.11;       // years until it is dark
+constexpr double kWither = 0.12;       // years in which what lies takes the last colour
+constexpr double kBeforeFirst = 0.02;  // years from where a turn begins to the first that comes
 constexpr std::string_view kBlossom = "blossom";
 
 LeafTint mix(const LeafTint& a, const LeafTint& b, float t) {
   return {mixed(a.color, b.color, t), mixed(a.veins, b.veins, t), mixed(a.rim, b.rim, t)};
 }
 
+/// A colour of autumn, with paler veins and a browner rim: by eye.
 LeafTint autumn_tint(const Color& c) {
   return {c, mixed(c, {1, 0.95f, 0.8f}, 0.3f), mixed(c, {0.4f, 0.2f, 0.08f}, 0.25f)};
 }
@@ -76,14 +78,17 @@ Flight flight(Vec3 from, Quat turn, float fallen, Seed own, const GroundAt& grou
   auto lot = [&](std::uint64_t k, double low, double high) {
     return static_cast<float>(own.child(k).range(low, high));
   };
+  constexpr float kLeastHigh = 0.05f, kLies = 0.012f;  // metres that it falls, and over the ground
+  constexpr float kSwing = 0.15f, kSwingHigh = 2;      // by the height that it falls, up to so many metres
+  constexpr float kFlatFrom = 0.7f, kLooseTo = 0.6f;   // of the fall: where it turns flat, where it is loose
   float yaw = lot(10, 0, 2 * kPi), reach = lot(11, 0.05, 0.4);
   Vec3 aside(std::cos(yaw), 0, std::sin(yaw));
   float high = ground ? from.y - static_cast<float>(ground(from.x, from.z)) : std::max(from.y, 0.0f);
-  high = std::max(high, 0.05f);
+  high = std::max(high, kLeastHigh);
   Vec3 land = from + aside * (high * reach);
-  land.y = ground ? static_cast<float>(ground(land.x, land.z)) + 0.012f : from.y - high;
+  land.y = ground ? static_cast<float>(ground(land.x, land.z)) + kLies : from.y - high;
   float down = fallen * (0.4f + 0.6f * fallen);
-  float swing = 0.15f * std::min(high, 2.0f) * std::sin(lot(12, 12, 22) * fallen) *
+  float swing = kSwing * std::min(high, kSwingHigh) * std::sin(lot(12, 12, 22) * fallen) *
                 std::sin(static_cast<float>(kPi) * fallen);
   Vec3 across(-aside.z, 0, aside.x);
   Vec3 axis = glm::normalize(Vec3(lot(13, -1, 1), lot(14, -1, 1), lot(15, -1, 1)) + Vec3(0.01f, 0, 0));
@@ -92,8 +97,8 @@ Flight flight(Vec3 from, Quat turn, float fallen, Seed own, const GroundAt& grou
               glm::angleAxis(lot(18, -0.35, 0.35), Vec3(0, 0, 1)) *
               glm::angleAxis(-static_cast<float>(kPi / 2), Vec3(1, 0, 0));
   return {glm::mix(from, land, down) + across * swing,
-          glm::normalize(glm::slerp(tumbling, flat, smooth_step(0.7f, 1.0f, fallen))),
-          smooth_step(0.0f, 0.6f, fallen)};
+          glm::normalize(glm::slerp(tumbling, flat, smooth_step(kFlatFrom, 1.0f, fallen))),
+          smooth_step(0.0f, kLooseTo, fallen)};
 }
 
 /// Builds the organs of a moment.
@@ -141,15 +146,17 @@ class Moment {
 
   /// The share of its size, 0..1, that a thing on its way down still has; one that comes to lie keeps it all.
   float left(float fallen, Seed own) const {
+    constexpr float kWhole = 0.6f;  // share of the fall, up to which it is
     bool lies = ground_ && own.child("lies").unit() < s_.litter;
-    return lies ? 1 : 1 - smooth_step(0.6f, 1.0f, fallen);
+    return lies ? 1 : 1 - smooth_step(kWhole, 1.0f, fallen);
   }
 
   void add_leaf(std::size_t i, const Prototype& shape, Seed own) {
     LeafState state = leaf_state(s_, year_, own);
     float size = state.size * left(state.fallen, own);
     // A sprig loses single leaves: it becomes smaller as it begins to fall.
-    if (shape.name == "sprig") size *= 1 - 0.55f * smooth_step(0.0f, 0.3f, state.fallen);
+    constexpr float kLost = 0.55f, kLostBy = 0.3f;  // share of its size, and of its fall
+    if (shape.name == "sprig") size *= 1 - kLost * smooth_step(0.0f, kLostBy, state.fallen);
     if (size < kLeast) return;
     Flight at{full_.position[i], full_.turn[i], 0};
     if (state.fallen > 0) at = flight(at.position, at.turn, state.fallen, own, ground_);
@@ -171,16 +178,19 @@ class Moment {
   }
 
   void add_flower(std::size_t i, Seed own) {
+    constexpr double kOpen = 0.03;                    // years in which it opens
+    constexpr double kLieFrom = 0.03, kLieTo = 0.10;  // years after its fall in which it goes
+    constexpr float kLost = 0.5f, kLostBy = 0.25f;    // of its size, as it falls in petals; share of the fall
     const Blossom& b = *s_.blossom;
     double half = s_.spread / 2;
-    Turn turn = turn_of(year_, b.at - half - 0.02);
+    Turn turn = turn_of(year_, b.at - half - kBeforeFirst);
     Seed lot = own.child(turn.which);
     double opens = half + half * lot.child(0).range(-1, 1),
            falls = opens + b.lasts + half * lot.child(1).unit();
     auto fallen = static_cast<float>(std::clamp((turn.age - falls) / s_.drift, 0.0, 1.0));
-    auto size = static_cast<float>(smooth_step(opens, opens + 0.03, turn.age));
-    size *= (1 - 0.5f * smooth_step(0.0f, 0.25f, fallen)) * left(fallen, own);
-    size *= static_cast<float>(1 - smooth_step(0.03, 0.10, turn.age - falls - s_.drift));
+    auto size = static_cast<float>(smooth_step(opens, opens + kOpen, turn.age));
+    size *= (1 - kLost * smooth_step(0.0f, kLostBy, fallen)) * left(fallen, own);
+    size *= static_cast<float>(1 - smooth_step(kLieFrom, kLieTo, turn.age - falls - s_.drift));
     if (size < kLeast) return;
     auto wide = static_cast<float>(b.size);
     Vec3 out = glm::normalize(
@@ -232,22 +242,27 @@ void add_blossom(std::vector<Prototype>& prototypes, const Seasons& seasons) {
 }
 
 LeafState leaf_state(const Seasons& s, double year, Seed leaf) {
-  double half = s.spread / 2, first = s.opening - half - 0.02;
+  // In years. All of it happens within a year, whatever was asked for.
+  constexpr double kLeastLife = 0.15,
+                   kLatestFall = 0.88;    // from unfolding to falling, and when it has fallen
+  constexpr double kLeastTurning = 0.02;  // from green to falling
+  constexpr double kGoesFrom = 0.90, kGoes = 0.04, kGone = 0.98;  // when what lies begins to go, and is gone
+  constexpr double kLeastTurned = 0.3;  // share of the way to the last colour on the twig
+  double half = s.spread / 2, first = s.opening - half - kBeforeFirst;
   Turn turn = turn_of(year, first);
   Seed lot = leaf.child(turn.which);
   auto early = [&](double at, std::uint64_t k) {
     return share(at - first) + half * lot.child(k).range(-1, 1);
   };
   double age = turn.age, opens = early(s.opening, 0);
-  // All of it happens within a year, whatever was asked for.
-  double falls = std::clamp(early(s.fall, 2), opens + 0.15, 0.88 - s.drift);
-  double turns = std::clamp(early(s.turning, 1), opens + kDarken, falls - 0.02);
-  double goes = 0.90 + 0.04 * lot.child(3).unit(), to = lot.child(4).range(0.3, 1.0);
+  double falls = std::clamp(early(s.fall, 2), opens + kLeastLife, kLatestFall - s.drift);
+  double turns = std::clamp(early(s.turning, 1), opens + kDarken, falls - kLeastTurning);
+  double goes = kGoesFrom + kGoes * lot.child(3).unit(), to = lot.child(4).range(kLeastTurned, 1.0);
 
   LeafState state;
   state.fallen = static_cast<float>(std::clamp((age - falls) / s.drift, 0.0, 1.0));
   state.size =
-      static_cast<float>(smooth_step(opens, opens + kUnfold, age) * (1 - smooth_step(goes, 0.98, age)));
+      static_cast<float>(smooth_step(opens, opens + kUnfold, age) * (1 - smooth_step(goes, kGone, age)));
   double turned = std::clamp((age - turns) / (falls - turns), 0.0, 1.0);
   double withered = std::clamp((age - falls) / kWither, 0.0, 1.0);
   state.hue = static_cast<float>(static_cast<double>(s.autumn.size()) * (to * turned + (1 - to) * withered) -

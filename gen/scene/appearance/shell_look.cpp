@@ -17,9 +17,10 @@ namespace frond {
 
 namespace {
 
-constexpr int kMostLines = 4096;  // of a picture
+constexpr int kLeastLines = 64, kMostLines = 4096;  // of a picture
 constexpr double kSecondsAPixel = 1e-6;
 constexpr int kMantleWide = 1024, kMantleHigh = 320;
+// Marks and tones of both pictures are by eye.
 
 void set(Raster& picture, int x, int y, Vec3 light) {
   for (int c = 0; c < 3; ++c)
@@ -34,8 +35,9 @@ Vec3 on_tube(double around, double along, double often) {
 
 /// A mark of a share of each period, soft at its edges: 1 in its middle.
 double mark(double phase, double width) {
+  constexpr double kSoft = 0.06;  // half of an edge
   double off = std::abs(phase - std::round(phase));
-  return 1 - smooth_step(0.5 * width - 0.06, 0.5 * width + 0.06, off);
+  return 1 - smooth_step(0.5 * width - kSoft, 0.5 * width + kSoft, off);
 }
 
 PigmentRegime regime_of(ShellPattern pattern) {
@@ -56,7 +58,7 @@ PigmentRegime regime_of(ShellPattern pattern) {
 bool reacts(ShellPattern pattern) { return pattern >= ShellPattern::stripes; }
 
 int lines_of(const ShellLook& look, double lines_a_cell) {
-  return std::clamp(static_cast<int>(std::lround(lines_a_cell * look.cells)), 64, kMostLines);
+  return std::clamp(static_cast<int>(std::lround(lines_a_cell * look.cells)), kLeastLines, kMostLines);
 }
 
 Raster shell_picture(const ShellLook& look, double lines_a_cell, double whorls) {
@@ -68,16 +70,19 @@ Raster shell_picture(const ShellLook& look, double lines_a_cell, double whorls) 
        lip = linear(look.lip);
   int outside = static_cast<int>(std::lround(wide / static_cast<double>(kShellOutside)));
   Raster picture(outside, high, 3);
-  double often = 9, long_often = often * lines_a_cell;
+  constexpr double kFade = 0.06;  // of the growth, at both ends of a pattern
+  constexpr double kSeasons = 26, kCoarseLines = 60, kFineLines = 150;  // on a whorl
+  constexpr double kLip = 0.1;                                          // of the last whorl
+  double often = 9, long_often = often * lines_a_cell;                  // clouds round the shell and along it
   for (int y = 0; y < high; ++y) {
     double along = 1 - (y + 0.5) / high;
     double there =
-        smooth_step(look.from - 0.06, look.from, along) * (1 - smooth_step(look.to, look.to + 0.06, along));
-    if (look.to >= 1) there = smooth_step(look.from - 0.06, look.from, along);
+        smooth_step(look.from - kFade, look.from, along) * (1 - smooth_step(look.to, look.to + kFade, along));
+    if (look.to >= 1) there = smooth_step(look.from - kFade, look.from, along);
     double turns = along * std::max(1.0, whorls);
-    double season = fractal_noise(Vec3(3.7f, static_cast<float>(26 * turns), 1.1f), 3);
-    double line = noise(Vec3(static_cast<float>(150 * turns), 0.4f, 8.2f)) +
-                  0.6 * noise(Vec3(static_cast<float>(60 * turns), 5.4f, 1.2f));
+    double season = fractal_noise(Vec3(3.7f, static_cast<float>(kSeasons * turns), 1.1f), 3);
+    double line = noise(Vec3(static_cast<float>(kFineLines * turns), 0.4f, 8.2f)) +
+                  0.6 * noise(Vec3(static_cast<float>(kCoarseLines * turns), 5.4f, 1.2f));
     for (int x = 0; x < wide; ++x) {
       double around = (x + 0.5) / wide;
       Vec3 at = on_tube(around, long_often * along, often);
@@ -90,18 +95,21 @@ Raster shell_picture(const ShellLook& look, double lines_a_cell, double whorls) 
       Vec3 color = glm::mix(ground, second, static_cast<float>(std::clamp(share * there, 0.0, 1.0)));
       set(picture, x, y, glm::pow(color, Vec3(static_cast<float>(2 - std::clamp(tone, 0.3, 1.6)))));
     }
-    double near = smooth_step(1 - 0.1 / std::max(1.0, whorls), 1.0, along);
+    double near = smooth_step(1 - kLip / std::max(1.0, whorls), 1.0, along);
     for (int x = wide; x < outside; ++x) set(picture, x, y, glm::mix(inside, lip, static_cast<float>(near)));
   }
   return picture;
 }
 
 Raster mantle_picture(const MantleLook& look) {
+  constexpr double kLength = 14;                      // of the mantle, by half its width
+  constexpr double kDots = 5.5;                       // of the row, on half the width
+  constexpr double kDotsAt = 0.84, kDotsWide = 0.42;  // on the way to the edge; their length by their width
   Raster picture(kMantleWide, kMantleHigh, 3);
   Vec3 ground = linear(look.color), spot = linear(look.second), rim = linear(look.rim);
   for (int y = 0; y < kMantleHigh; ++y)
     for (int x = 0; x < kMantleWide; ++x) {
-      double along = 14.0 * (x + 0.5) / kMantleWide, across = 2 * (y + 0.5) / kMantleHigh - 1,
+      double along = kLength * (x + 0.5) / kMantleWide, across = 2 * (y + 0.5) / kMantleHigh - 1,
              edge = std::abs(across);
       auto at = [&](double often, double more) {
         return Vec3(static_cast<float>(along * often), static_cast<float>(across * 2.2 * often),
@@ -117,8 +125,8 @@ Raster mantle_picture(const MantleLook& look) {
       color = glm::mix(color, ground * 0.35f, static_cast<float>(1 - smooth_step(0.03, 0.16, edge)));
       color = glm::mix(color, spot, static_cast<float>(0.85 * pale * smooth_step(0.1, 0.3, edge)));
       // A row of bright dots behind the edge, and a bright line on it.
-      double cell = along * 5.5 + 0.4 * noise(at(2, 9)), off = std::abs(cell - std::round(cell)) / 5.5;
-      double dot = 1 - smooth_step(0.030, 0.050, std::hypot(off, (edge - 0.84) * 0.42));
+      double cell = along * kDots + 0.4 * noise(at(2, 9)), off = std::abs(cell - std::round(cell)) / kDots;
+      double dot = 1 - smooth_step(0.030, 0.050, std::hypot(off, (edge - kDotsAt) * kDotsWide));
       double line = smooth_step(0.93, 0.96, edge) * (0.55 + 0.45 * noise(at(3, 5)));
       color = glm::mix(
           color, ground * 0.3f,

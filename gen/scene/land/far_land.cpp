@@ -18,6 +18,14 @@ constexpr double kSteepField = 0.2;  // rise over run of what is no longer ploug
 constexpr double kMassif = 5200;     // metres from one mountain to the next
 constexpr double kVillage = 110;     // metres from the middle of a village within which nothing else is
 
+/// How something grows with the metres past the edge of the near ground.
+struct FarRise {
+  double by, from, to;
+  double at(double out) const { return by * smooth_step(from, to, out); }
+};
+// The farther, the higher, so that hills show above those before them; by the relief, by eye.
+constexpr FarRise kHillsRise{0.6, 200, 4000}, kNearRise{0.6, 300, 3000}, kFarRise{2.2, 2000, 11000};
+
 Seed pair_seed(const Seed& a, const Seed& b) { return Seed{a.key ^ b.key}.child("border"); }
 
 }  // namespace
@@ -31,9 +39,12 @@ FarLand::FarLand(const FarLandShape& shape, const GroundEdge& edge, Seed seed)
   double turn = seed.child("along").range(0, kPi);
   along_ = Vec2(std::cos(turn), std::sin(turn));
   std::vector<double> noises;
+  // Samples tell which value of the noise the share that is wooded is above.
   constexpr int kSamples = 40;
+  constexpr double kSampleStep = 0.37;  // of a wood's size
   for (int i = 0; i < kSamples * kSamples; ++i)
-    noises.push_back(wood_noise(Vec2(i % kSamples, i / kSamples) * static_cast<float>(0.37 * kWoodSize)));
+    noises.push_back(
+        wood_noise(Vec2(i % kSamples, i / kSamples) * static_cast<float>(kSampleStep * kWoodSize)));
   std::ranges::sort(noises);
   auto rank = static_cast<std::size_t>((1 - shape.woods) * static_cast<double>(noises.size() - 1));
   wood_from_ = shape.woods > 0 ? noises[rank] : 1e9;
@@ -54,19 +65,23 @@ double FarLand::wood_noise(Vec2 at) const {
 
 double FarLand::height(Vec2 at, double spacing) const {
   double out = edge_.outside(at), ends = edge_.beyond ? edge_.beyond(at) : 0;
-  double share = smooth_step(0.0, std::max(500.0, 0.7 * edge_.radius), out);
+  // From the near ground to the land as it is here.
+  constexpr double kLeastMetres = 500, kOfRadius = 0.7;
+  double share = smooth_step(0.0, std::max(kLeastMetres, kOfRadius * edge_.radius), out);
   if (share <= 0) return ends;
   double away = glm::length(at);
-  // The farther, the higher, so that hills show above those before them.
-  double hills = hill_noise(at, shape_.hill_size, 0.15, spacing, seed_.child("hills"));
+  constexpr double kHillRoughness = 0.15, kMountainRoughness = 0.75, kErosion = 1;
+  double hills = hill_noise(at, shape_.hill_size, kHillRoughness, spacing, seed_.child("hills"));
   double land =
-      shape_.relief * (0.5 * hills * (0.4 + 0.6 * smooth_step(200.0, 4000.0, out)) +
-                       0.6 * smooth_step(300.0, 3000.0, out) + 2.2 * smooth_step(2000.0, 11000.0, out));
-  double risen = smooth_step(0.35, 1.0, away / std::max(shape_.mountains_distance, 1.0));
+      shape_.relief * (0.5 * hills * (0.4 + kHillsRise.at(out)) + kNearRise.at(out) + kFarRise.at(out));
+  constexpr double kFoot = 0.35;  // of the mountains, as a share of their distance
+  double risen = smooth_step(kFoot, 1.0, away / std::max(shape_.mountains_distance, 1.0));
   if (shape_.mountains > 0 && risen > 0) {
     // Farther ranges look over those before them.
-    double farther = 1 + 0.35 * smooth_step(1.0, 2.4, away / shape_.mountains_distance);
-    double ridges = eroded_hill_noise(at, kMassif, 0.75, 1, spacing, seed_.child("mountains"));
+    constexpr double kHigher = 0.35, kHighestAt = 2.4;  // the share, and where, by the mountains' distance
+    double farther = 1 + kHigher * smooth_step(1.0, kHighestAt, away / shape_.mountains_distance);
+    double ridges =
+        eroded_hill_noise(at, kMassif, kMountainRoughness, kErosion, spacing, seed_.child("mountains"));
     land += shape_.mountains * risen * farther * std::max(0.0, 0.55 + 0.5 * ridges);
   }
   return ends + (land - ends) * share;
@@ -81,6 +96,7 @@ Vec2 FarLand::slope(Vec2 at, double spacing) const {
 }
 
 Parcel FarLand::parcel(Vec2 at) const {
+  constexpr double kAcrossShare = 0.35;  // of parcels, that are ploughed across the main direction
   auto wide = static_cast<float>(shape_.parcel), length = static_cast<float>(kLong * shape_.parcel);
   Vec2 p = turned(at);
   auto row = static_cast<int>(std::floor(p.y / wide));
@@ -110,7 +126,7 @@ Parcel FarLand::parcel(Vec2 at) const {
           unturned(other),
           edge,
           pair_seed(own_seed, other_seed),
-          own_seed.child("across").unit() < 0.35};
+          own_seed.child("across").unit() < kAcrossShare};
 }
 
 bool FarLand::wooded(const Parcel& parcel) const {
@@ -121,9 +137,14 @@ bool FarLand::wooded(const Parcel& parcel) const {
 }
 
 FarCover FarLand::cover(Vec2 at, const Parcel& parcel, double height, Vec2 slope) const {
-  double steep = glm::length(slope), rough = 0.5 * fractal_noise(Vec3(at.x, 0, at.y) / 500.0f, 2);
-  bool mountain = shape_.mountains > 0 && height > 1.5 * shape_.relief && steep > 0.3 + 0.2 * rough;
-  if (mountain || height > shape_.tree_line - 100 || steep > kRockSlope) return FarCover::mountain;
+  constexpr float kRoughSize = 500;       // metres over which borders come and go
+  constexpr double kAboveHills = 1.5;     // by the relief: where mountains begin
+  constexpr double kMountainSlope = 0.3;  // rise over run, about, of what is no hill
+  constexpr double kBelowTreeLine = 100;  // metres, from where on woods give way to heath
+  double steep = glm::length(slope), rough = 0.5 * fractal_noise(Vec3(at.x, 0, at.y) / kRoughSize, 2);
+  bool mountain =
+      shape_.mountains > 0 && height > kAboveHills * shape_.relief && steep > kMountainSlope + 0.2 * rough;
+  if (mountain || height > shape_.tree_line - kBelowTreeLine || steep > kRockSlope) return FarCover::mountain;
   if (wooded(parcel)) return FarCover::wood;
   if (edge_.outside(at) < kOpen) return FarCover::meadow;
   if (steep > kSteepField || parcel.seed.child("ploughed").unit() >= shape_.fields) {
@@ -137,17 +158,25 @@ FarCover FarLand::cover(Vec2 at, const Parcel& parcel, double height, Vec2 slope
 
 /// A road on either side of the near ground, which wanders about the main direction; villages lie on it.
 void FarLand::found_villages() {
-  auto count = static_cast<int>(std::min(2500.0, shape_.reach / 2) / shape_.villages);
+  constexpr double kFarthest = 2500;                         // metres along a road: farther ones are not seen
+  constexpr double kNearestRoad = 260, kFarthestRoad = 480;  // metres past the near ground
+  constexpr double kDiagonal = 1.42;                         // of a square, by its side
+  constexpr double kBend = 120, kBendLength = 900;           // metres that a road strays, and on which length
+  constexpr double kAside = 0.3;  // of a village along the road, by the way between two
+  auto count = static_cast<int>(std::min(kFarthest, shape_.reach / 2) / shape_.villages);
   for (int side = 0; side < 2; ++side) {
     Seed road = seed_.child("road", static_cast<std::uint64_t>(side));
-    double away = (edge_.radius * (edge_.square ? 1.42 : 1) + road.range(260, 480)) * (side ? 1 : -1);
+    double away = (edge_.radius * (edge_.square ? kDiagonal : 1) + road.range(kNearestRoad, kFarthestRoad)) *
+                  (side ? 1 : -1);
     auto at = [&](double x) {
-      double bend = 120 * noise(Vec3(static_cast<float>(x / 900), static_cast<float>(road.range(0, 99)), 3));
+      double bend =
+          kBend * noise(Vec3(static_cast<float>(x / kBendLength), static_cast<float>(road.range(0, 99)), 3));
       return unturned(Vec2(static_cast<float>(x), static_cast<float>(away + bend)));
     };
     for (int k = -count; k <= count; ++k) {
       Seed own = road.child("village", static_cast<std::uint64_t>(k + count));
-      double x = (k + own.child("at").range(-0.3, 0.3)) * shape_.villages;
+      double x = (k + own.child("at").range(-kAside, kAside)) * shape_.villages;
+      // The way from 5 m before it to 5 m behind.
       villages_.push_back({at(x), glm::normalize(at(x + 5) - at(x - 5)), own});
     }
   }

@@ -11,9 +11,11 @@ namespace {
 constexpr int kJoints = 3;  // of a blade, below its tip
 constexpr Vec3 kUp(0, 1, 0);
 
+/// v on a plant's part: the number of its kind, and its own between this and the next, at neither end.
 template <class Kind>
 float coded(Kind kind, float own) {
-  return static_cast<float>(kind) + 0.05f + 0.85f * own;
+  constexpr float kFirst = 0.05f, kRange = 0.85f;
+  return static_cast<float>(kind) + kFirst + kRange * own;
 }
 
 /// Adds corners of one plant to a mesh.
@@ -52,13 +54,17 @@ Vec3 round_about(const StalkAxes& s, double angle) {
 void add_blade(Surface& s, const BladeOfGrass& b) {
   Corners corners{s, b.own};
   // Grass is lit as a lawn rather than as blades, or it would sparkle.
-  Vec3 lawn = kUp + b.toward * 0.35f + b.across * (b.own - 0.5f);
+  constexpr float kLeaning = 0.35f, kTipLeaning = 0.3f;  // of normals toward where it bends; more at its tip
+  constexpr float kRounded = 0.4f;                       // of normals across
+  constexpr float kTaper = 0.55f;                        // how much narrower it is at its tip
+  Vec3 lawn = kUp + b.toward * kLeaning + b.across * (b.own - 0.5f);
   for (int i = 0; i < kJoints; ++i) {
-    float t = static_cast<float>(i) / kJoints, half = 0.5f * b.width * (1 - 0.55f * t * t);
+    float t = static_cast<float>(i) / kJoints, half = 0.5f * b.width * (1 - kTaper * t * t);
     for (float side : {-1.0f, 1.0f})
-      corners.add(b.along(t) + b.across * (side * half), glm::normalize(lawn + b.across * (side * 0.4f)), t);
+      corners.add(b.along(t) + b.across * (side * half), glm::normalize(lawn + b.across * (side * kRounded)),
+                  t);
   }
-  corners.add(b.along(1), glm::normalize(lawn + b.toward * 0.3f), 1);
+  corners.add(b.along(1), glm::normalize(lawn + b.toward * kTipLeaning), 1);
   for (std::uint32_t i = 0; i + 1 < kJoints; ++i) {
     corners.join(2 * i, 2 * i + 1, 2 * i + 3);
     corners.join(2 * i, 2 * i + 3, 2 * i + 2);
@@ -69,6 +75,9 @@ void add_blade(Surface& s, const BladeOfGrass& b) {
 void add_trefoil(Surface& s, const BladeOfGrass& stalk, float length, HerbPart kind) {
   // Half a leaflet, from its foot round to its notched end, and how far along it each corner is.
   constexpr Vec2 kRim[] = {{0.42f, 0.33f}, {0.88f, 0.30f}};
+  constexpr float kMiddle = 0.55f, kNotch = 0.93f;  // places along its midrib
+  constexpr float kFolded = 0.35f, kHanging = 0.22f;
+  constexpr float kChevron = 0.55f;  // slope of u across, which bends the pale mark
   StalkAxes axes = axes_at_end(stalk, 0.15f + 0.3f * stalk.own);
   Vec3 foot = stalk.along(1);
   for (int leaflet = 0; leaflet < 3; ++leaflet) {
@@ -78,12 +87,12 @@ void add_trefoil(Surface& s, const BladeOfGrass& stalk, float length, HerbPart k
     auto add = [&](float along, float across) {
       // Folded along its midrib, and hanging at its end.
       Vec3 at = foot + (out * along + aside * across + rise * along +
-                        axes.up * (0.35f * std::abs(across) - 0.22f * along * along)) *
+                        axes.up * (kFolded * std::abs(across) - kHanging * along * along)) *
                            length;
       corners.add(at, glm::normalize(axes.up + out * 0.25f - aside * (0.9f * across)),
-                  along + 0.55f * std::abs(across));
+                  along + kChevron * std::abs(across));
     };
-    add(0, 0), add(0.55f, 0), add(0.93f, 0);
+    add(0, 0), add(kMiddle, 0), add(kNotch, 0);
     for (Vec2 rim : kRim) add(rim.x, rim.y), add(rim.x, -rim.y);
     for (std::uint32_t side = 0; side < 2; ++side) {
       std::uint32_t low = 3 + side, high = 5 + side;
@@ -95,7 +104,8 @@ void add_trefoil(Surface& s, const BladeOfGrass& stalk, float length, HerbPart k
 }
 
 void add_rosette_leaf(Surface& s, const BladeOfGrass& b, float rise) {
-  constexpr Vec2 kShape[] = {{0.0f, 0.10f}, {0.35f, 0.55f}, {0.7f, 1.0f}};
+  constexpr Vec2 kShape[] = {{0.0f, 0.10f}, {0.35f, 0.55f}, {0.7f, 1.0f}};  // along, and how wide it is there
+  constexpr float kTrough = 0.2f;  // by the width: how far its edges rise
   Corners corners{s, coded(HerbPart::herb, b.own)};
   Vec3 out = glm::normalize(b.toward + kUp * rise), up = glm::normalize(glm::cross(b.across, out));
   if (up.y < 0) up = -up;
@@ -103,7 +113,7 @@ void add_rosette_leaf(Surface& s, const BladeOfGrass& b, float rise) {
   for (Vec2 at : kShape)
     for (float side : {-1.0f, 0.0f, 1.0f})
       corners.add(place(at.x) + b.across * (side * 0.5f * b.width * at.y) +
-                      up * (0.2f * std::abs(side) * b.width * at.y),
+                      up * (kTrough * std::abs(side) * b.width * at.y),
                   glm::normalize(up + kUp - b.across * (0.5f * side)), at.x + 0.25f * std::abs(side));
   corners.add(place(1), glm::normalize(up + kUp), 1);
   for (std::uint32_t i = 0; i < 2; ++i)
@@ -116,19 +126,29 @@ void add_rosette_leaf(Surface& s, const BladeOfGrass& b, float rise) {
   corners.join(7, 8, 9);
 }
 
+namespace {
+
+/// The petals or rays of a flower head: points round its rim, three to each of them; how far the rim rises by
+/// the radius; and how far its normals lean inward.
+struct HeadShape {
+  std::uint32_t rim;
+  float rise, inward;
+};
+constexpr HeadShape kFivePetals{15, 0.55f, 0.4f}, kThirteenRays{39, 0.12f, 0};
+
+}  // namespace
+
 void add_head(Surface& s, const BladeOfGrass& stalk, float radius, Bloom kind) {
   Corners corners{s, coded(kind, stalk.own)};
-  bool cup = kind == Bloom::buttercup;
+  constexpr float kBetween = 0.62f;  // radius between two of them, by that at their ends
+  const auto [rim, rise, inward] = kind == Bloom::buttercup ? kFivePetals : kThirteenRays;
   StalkAxes axes = axes_at_end(stalk, 0.3f + 0.5f * stalk.own);
-  std::uint32_t rim = cup ? 15 : 39;
   Vec3 centre = stalk.along(1);
   corners.add(centre, axes.up, 0);
   for (std::uint32_t i = 0; i < rim; ++i) {
-    // Five broad petals, or thirteen blunt rays.
-    float r = radius * (i % 3 ? 1.0f : 0.62f);
+    float r = radius * (i % 3 ? 1.0f : kBetween);
     Vec3 out = round_about(axes, 2 * kPi * i / rim);
-    corners.add(centre + out * r + axes.up * (r * (cup ? 0.55f : 0.12f)),
-                glm::normalize(axes.up - out * (cup ? 0.4f : 0.0f)), 1);
+    corners.add(centre + out * r + axes.up * (r * rise), glm::normalize(axes.up - out * inward), 1);
   }
   for (std::uint32_t i = 0; i < rim; ++i) corners.join(0, 1 + i, 1 + (i + 1) % rim);
 }
@@ -136,10 +156,11 @@ void add_head(Surface& s, const BladeOfGrass& stalk, float radius, Bloom kind) {
 void add_clover_head(Surface& s, const BladeOfGrass& stalk, float radius) {
   // Rings of florets, each pointing outward from the ball and the lowest hanging.
   constexpr int kRings = 3, kFlorets = 9;
+  constexpr float kLowest = -0.45f, kApart = 0.62f;  // rise over run, of the lowest and between rings
   StalkAxes axes = axes_at_end(stalk, 0.15f);
   Vec3 centre = stalk.along(1) + axes.up * (0.4f * radius);
   for (int ring = 0; ring < kRings; ++ring) {
-    float lift = -0.45f + 0.62f * static_cast<float>(ring);
+    float lift = kLowest + kApart * static_cast<float>(ring);
     for (int i = 0; i < kFlorets - 2 * ring; ++i) {
       Corners corners{s, coded(Bloom::clover, stalk.own)};
       double angle = 2 * kPi * (i + 0.5 * (ring % 2)) / (kFlorets - 2 * ring);
@@ -180,35 +201,41 @@ void add_spindle(Surface& s, Vec3 foot, Vec3 tip, float radius, float v, float b
 }  // namespace
 
 void add_spike(Surface& s, const BladeOfGrass& stalk, float length) {
+  constexpr float kThick = 0.17f, kBelly = 0.35f;  // radius by the length, and where it is thickest
   Vec3 tip = stalk.along(1), direction = glm::normalize(tip - stalk.along(0.9f));
-  add_spindle(s, tip, tip + direction * length, 0.17f * length, coded(Bloom::spike, stalk.own), 0.35f);
+  add_spindle(s, tip, tip + direction * length, kThick * length, coded(Bloom::spike, stalk.own), kBelly);
 }
 
 void add_panicle(Surface& s, const BladeOfGrass& stalk, float length) {
   constexpr int kSpikelets = 7;
+  constexpr double kTurn = 2.4;                       // radians from one to the next: the golden angle
+  constexpr float kLength = 0.42f, kShorter = 0.16f;  // by the panicle's: of the lowest, less of the highest
+  constexpr float kThick = 0.11f, kBelly = 0.6f;      // radius by the length, and where it is thickest
+  constexpr float kSpread = 0.42f, kClosing = 0.75f;  // of the lowest, and how much less of the highest
   float share = length / stalk.length;
   for (int i = 0; i < kSpikelets; ++i) {
-    float t = static_cast<float>(i) / (kSpikelets - 1), spread = 0.42f * (1 - 0.75f * t);
-    double angle = 2.4 * i + 6 * stalk.own;
+    float t = static_cast<float>(i) / (kSpikelets - 1), spread = kSpread * (1 - kClosing * t);
+    double angle = kTurn * i + 6 * stalk.own;
     Vec3 out = stalk.across * static_cast<float>(std::cos(angle)) +
                stalk.toward * static_cast<float>(std::sin(angle));
     Vec3 foot = stalk.along(1 - share * (1 - t)), direction = out * spread + kUp * (0.55f - 0.25f * spread);
-    float size = length * (0.42f - 0.16f * t);
-    add_spindle(s, foot + direction * (0.15f * size), foot + direction * size, 0.11f * size,
-                coded(Bloom::panicle, stalk.own), 0.6f);
+    float size = length * (kLength - kShorter * t);
+    add_spindle(s, foot + direction * (0.15f * size), foot + direction * size, kThick * size,
+                coded(Bloom::panicle, stalk.own), kBelly);
   }
 }
 
 void add_earth(Surface& s, float radius, float own) {
   constexpr std::uint32_t kRim = 20;
+  constexpr float kMiddleHeight = 0.03f, kRingHeight = 0.02f, kRimDepth = -0.08f;  // by the radius
   Corners corners{s, coded(HerbPart::earth, own)};
-  corners.add(Vec3(0, 0.03f * radius, 0), kUp, 0);
+  corners.add(Vec3(0, kMiddleHeight * radius, 0), kUp, 0);
   for (float ring : {0.75f, 1.0f}) {
     for (std::uint32_t i = 0; i < kRim; ++i) {
       double angle = 2 * kPi * i / kRim;
       Vec3 out(static_cast<float>(std::cos(angle)), 0, static_cast<float>(std::sin(angle)));
       float r = radius * ring * earth_reach(out, own);
-      corners.add(out * r + kUp * (ring < 1 ? 0.02f * radius : -0.08f * radius), kUp, ring);
+      corners.add(out * r + kUp * (ring < 1 ? kRingHeight * radius : kRimDepth * radius), kUp, ring);
     }
   }
   for (std::uint32_t i = 0; i < kRim; ++i) {
@@ -220,7 +247,8 @@ void add_earth(Surface& s, float radius, float own) {
 }
 
 float earth_reach(Vec3 out, float own) {
-  return 1 + 0.35f * static_cast<float>(noise(out * 1.1f + Vec3(40 * own, 0, 0)));
+  constexpr float kUneven = 0.35f, kOften = 1.1f;  // share of the radius; waves of noise on a radian
+  return 1 + kUneven * static_cast<float>(noise(out * kOften + Vec3(40 * own, 0, 0)));
 }
 
 }  // namespace frond

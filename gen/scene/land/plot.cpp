@@ -43,12 +43,16 @@ double distance_to_piece(Vec2 at, Vec2 from, Vec2 to) {
 /// A round leaf with a notch, its rim a little raised; diameter 1.
 Surface pad_surface() {
   constexpr int kSides = 28;
+  constexpr double kHalfNotch = 0.18;  // radians
+  // Heights, as a share of the diameter: of the rim, of what waves add to it, and half-way to it.
+  constexpr double kRimHeight = 0.014, kWaveHeight = 0.006, kInnerHeight = 0.008;
+  constexpr int kWaves = 5;  // round the rim
   Surface s;
   s.position.emplace_back(0, 0.02f, 0);
   for (int ring = 1; ring <= 2; ++ring)
     for (int i = 0; i <= kSides; ++i) {
-      double angle = 0.18 + (2 * kPi - 0.36) * i / kSides, r = 0.25 * ring;
-      double rim = ring == 2 ? 0.014 + 0.006 * std::sin(5 * angle) : 0.008;
+      double angle = kHalfNotch + (2 * kPi - 2 * kHalfNotch) * i / kSides, r = 0.25 * ring;
+      double rim = ring == 2 ? kRimHeight + kWaveHeight * std::sin(kWaves * angle) : kInnerHeight;
       s.position.emplace_back(r * std::cos(angle), rim, r * std::sin(angle));
     }
   for (std::uint32_t i = 1; i <= kSides; ++i) {
@@ -98,9 +102,13 @@ double Plot::pond_distance(Vec2 at) const {
   double share = glm::length(scaled), least = std::min(pond_.size.x, pond_.size.y);
   if (share < 1e-6) return -least;
   // The shore comes and goes with the direction from the middle.
+  constexpr double kBays = 0.16, kCoves = 0.05;  // shares of the way from the middle, by eye
+  constexpr float kBaysOften = 1.3f;             // on a radian
+  constexpr float kCovesFiner = 3.1f;            // than bays
   Vec2 out = scaled / static_cast<float>(share);
-  Vec3 place(1.3f * out.x + static_cast<float>(seed_.child("pond").range(0, 99)), 0, 1.3f * out.y);
-  double shore = 1 + 0.16 * noise(place) + 0.05 * noise(place * 3.1f);
+  Vec3 place(kBaysOften * out.x + static_cast<float>(seed_.child("pond").range(0, 99)), 0,
+             kBaysOften * out.y);
+  double shore = 1 + kBays * noise(place) + kCoves * noise(place * kCovesFiner);
   // Along the ray from the middle, so that it is right across the ellipse, too.
   double ray = glm::length(at - pond_.center) / share;
   return (share - shore) * ray;
@@ -135,7 +143,9 @@ double Plot::area_distance(Vec2 at, GroundArea::Kind kind) const {
     if (areas_[i].kind == kind)
       best = std::min(best, outlines_[i].empty() ? rectangle_distance(at, areas_[i])
                                                  : outline_distance(at, outlines_[i]));
-  return best > 1 ? best : best + 0.02 * noise(Vec3(at.x * 5, 3, at.y * 5));
+  constexpr double kUneven = 0.02;  // metres
+  constexpr float kOften = 5;       // on a metre
+  return best > 1 ? best : best + kUneven * noise(Vec3(at.x * kOften, 3, at.y * kOften));
 }
 
 double Plot::earth_distance(Vec2 at) const { return area_distance(at, GroundArea::Kind::earth); }
@@ -149,18 +159,28 @@ double Plot::path_distance(Vec2 at) const {
 double Plot::curve_distance(Vec2 at) const {
   double best = path_middle_distance(at);
   if (best > 2 * half_width_ + 1) return best - half_width_;
-  return best - half_width_ + 0.07 * noise(Vec3(at.x * 1.6f, 5, at.y * 1.6f)) +
-         0.04 * noise(Vec3(at.x * 6, 9, at.y * 6));
+  constexpr double kBroad = 0.07, kFine = 0.04;        // metres that the edge strays
+  constexpr float kBroadOften = 1.6f, kFineOften = 6;  // on a metre
+  return best - half_width_ + kBroad * noise(Vec3(at.x * kBroadOften, 5, at.y * kBroadOften)) +
+         kFine * noise(Vec3(at.x * kFineOften, 9, at.y * kFineOften));
 }
 
 double Plot::height(Vec2 at, double lawn) const {
+  // Metres, by eye.
+  constexpr double kEvenAtPond = 2.5;  // the lawn is level at the shore, and as it was from here
+  constexpr double kEvenFrom = -0.2, kEvenTo = 1.5;  // likewise at the edge of a path, where a third stays
+  constexpr double kPathDepth = 0.025, kBedHeight = 0.05;
+  constexpr double kWaterReach = 0.35;  // past the shore, as far as the water's disc may reach
+  constexpr double kAboveWater = 0.06;  // the ground there
+  constexpr double kBankWidth = 1.6;    // of the way from there down to the pond's depth
   double pond = pond_distance(at), path = has_path() ? path_distance(at) : kFar;
-  double height = lawn * smooth_step(0.0, 2.5, pond) * (0.35 + 0.65 * smooth_step(-0.2, 1.5, path));
-  height -= 0.025 * (1 - smooth_step(-0.12, 0.10, path));
-  if (has_earth()) height += 0.05 * (1 - smooth_step(-0.3, 0.0, earth_distance(at)));
+  double height =
+      lawn * smooth_step(0.0, kEvenAtPond, pond) * (0.35 + 0.65 * smooth_step(kEvenFrom, kEvenTo, path));
+  height -= kPathDepth * (1 - smooth_step(-0.12, 0.10, path));
+  if (has_earth()) height += kBedHeight * (1 - smooth_step(-0.3, 0.0, earth_distance(at)));
   // No puddle: the water's disc is wider than the pond.
-  if (pond > 0.35) height = std::max(height, pond_.level + 0.06);
-  if (pond < 0.35) height -= pond_.depth * smooth_step(0.0, 1.0, (0.35 - pond) / 1.6);
+  if (pond > kWaterReach) height = std::max(height, pond_.level + kAboveWater);
+  if (pond < kWaterReach) height -= pond_.depth * smooth_step(0.0, 1.0, (kWaterReach - pond) / kBankWidth);
   return height;
 }
 
@@ -176,27 +196,34 @@ Solids water_lilies(const Plot& plot, int count, Seed seed) {
       lilies.add_shape({corolla_surface(petal, 16, radians(52.0)), {.color = {0.96f, 0.86f, 0.90f}}});
   std::uint16_t heart = lilies.add_shape({heart_surface(0.3, 0.5, 40), {.color = {0.95f, 0.76f, 0.18f}}});
 
+  constexpr int kLeavesAGroup = 14;
+  constexpr std::uint64_t kThrows = 40;  // until a leaf is left out
+  constexpr double kScatter = 0.16;      // of a group, as a share of the pond's size
+  constexpr double kFromShore = 0.5;     // metres
+  constexpr float kNearest = 0.92f;      // of the sum of their radii: how near leaves may lie
+  constexpr double kFlowering = 0.13;    // share of leaves with a flower
   const PondShape& pond = plot.pond();
-  int groups = std::max(1, count / 14);
+  int groups = std::max(1, count / kLeavesAGroup);
   std::vector<Vec3> taken;  // x, z and radius
   for (int i = 0; i < count; ++i) {
     Seed own = seed.child(static_cast<std::uint64_t>(i)),
          group = seed.child("group", static_cast<std::uint64_t>(i % groups));
     float radius = static_cast<float>(own.child("size").range(0.07, 0.17));
-    for (std::uint64_t dart = 0; dart < 40; ++dart) {
+    for (std::uint64_t dart = 0; dart < kThrows; ++dart) {
       Seed toss = own.child("dart", dart);
       double angle = group.child("angle").range(0, 2 * kPi), out = group.child("out").range(0.25, 0.75);
-      Vec2 at = pond.center + pond.size * Vec2(out * std::cos(angle) + 0.16 * toss.child(0).normal(),
-                                               out * std::sin(angle) + 0.16 * toss.child(1).normal());
-      bool free = plot.pond_distance(at) < -0.5 && std::none_of(taken.begin(), taken.end(), [&](Vec3 other) {
-                    return glm::distance(Vec2(other.x, other.y), at) < 0.92f * (other.z + radius);
-                  });
+      Vec2 at = pond.center + pond.size * Vec2(out * std::cos(angle) + kScatter * toss.child(0).normal(),
+                                               out * std::sin(angle) + kScatter * toss.child(1).normal());
+      bool free =
+          plot.pond_distance(at) < -kFromShore && std::none_of(taken.begin(), taken.end(), [&](Vec3 other) {
+            return glm::distance(Vec2(other.x, other.y), at) < kNearest * (other.z + radius);
+          });
       if (!free) continue;
       taken.emplace_back(at, radius);
       Vec3 place(at.x, static_cast<float>(pond.level) + 0.004f, at.y);
       Quat turn = glm::angleAxis(static_cast<float>(own.child("turn").range(0, 2 * kPi)), Vec3(0, 1, 0));
       lilies.place(static_cast<std::uint16_t>(own.child("shade").bits() % 3), place, turn, Vec3(2 * radius));
-      if (own.child("flower").unit() < 0.13) {
+      if (own.child("flower").unit() < kFlowering) {
         Vec3 beside = place + turn * Vec3(-0.6f * radius, 0.01f, 0);
         float size = static_cast<float>(own.child("open").range(0.07, 0.1));
         lilies.place(outer, beside, turn, Vec3(size));
@@ -210,11 +237,12 @@ Solids water_lilies(const Plot& plot, int count, Seed seed) {
 
 Surface gravel_surface(double side, double size, Seed seed) {
   constexpr int kShapes = 5;
+  constexpr double kApart = 0.42;  // from stone to stone by their size, so that they cover the ground
   std::vector<Surface> shapes;
   for (std::uint64_t i = 0; i < kShapes; ++i)
-    shapes.push_back(stone_surface({seed.child("shape", i), 0.3, 0.35}, 0));
+    shapes.push_back(stone_surface({.seed = seed.child("shape", i), .roughness = 0.3, .flatness = 0.35}, 0));
   Surface gravel;
-  double each = 0.42 * size;  // from stone to stone, so that they cover the ground
+  double each = kApart * size;
   auto row = static_cast<std::uint64_t>(std::max(1.0, std::round(side / each)));
   for (std::uint64_t i = 0; i < row * row; ++i) {
     Seed own = seed.child(i);

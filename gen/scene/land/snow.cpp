@@ -22,6 +22,7 @@ struct SnowFall {
   float weight;
 };
 
+/// Most snow falls steeply: the weights by the tilt, degrees, are by eye.
 std::vector<SnowFall> falls() {
   constexpr int kAround = 8;
   std::vector<SnowFall> list{{Vec3(0, 1, 0), 1.5f}};
@@ -37,7 +38,10 @@ std::vector<SnowFall> falls() {
 
 }  // namespace
 
-double lying_share(double up) { return smooth_step(std::cos(radians(55.0)), std::cos(radians(30.0)), up); }
+double lying_share(double up) {
+  constexpr double kNone = 55, kAll = 30;  // degrees of slope
+  return smooth_step(std::cos(radians(kNone)), std::cos(radians(kAll)), up);
+}
 
 CoverGrid::CoverGrid(Vec2 center, float side, float cell)
     : low_(center - side / 2),
@@ -95,7 +99,8 @@ float CoverGrid::highest_near(Vec2 at) const {
 
 float CoverGrid::openness(Vec3 at) const {
   static const std::vector<SnowFall> kFalls = falls();
-  constexpr float kOff = 0.02f;
+  constexpr float kOff = 0.02f;                   // metres over the place: what is lower shelters nothing
+  constexpr float kFirst = 1.2f, kStride = 0.7f;  // cells from the place, and from sample to sample
   float highest = highest_near({at.x, at.z});
   if (at.y + kOff > highest) return 1;
   float open = 0, all = 0;
@@ -108,8 +113,8 @@ float CoverGrid::openness(Vec3 at) const {
       blocked = find({at.x, at.z}, cell) && top_[cell] > at.y + kOff;
     } else {
       Vec2 step = Vec2(fall.from.x, fall.from.z) / level;
-      for (float far = 1.2f * cell_; far < kReach && !blocked; far += 0.7f * cell_) {
-        float from = at.y + kOff + (far - 0.7f * cell_) * rise, to = at.y + kOff + far * rise;
+      for (float far = kFirst * cell_; far < kReach && !blocked; far += kStride * cell_) {
+        float from = at.y + kOff + (far - kStride * cell_) * rise, to = at.y + kOff + far * rise;
         if (from > highest || !find(Vec2(at.x, at.z) + far * step, cell)) break;
         blocked = from < top_[cell] && to > bottom_[cell];
       }
@@ -127,8 +132,8 @@ bool CoverGrid::shelters(Vec3 at, Vec3 fall) const {
 }
 
 Surface snow_surface(const SnowSheet& sheet, double depth) {
-  constexpr double kThin =
-      0.05;  // metres, below which it goes in patches, as floors are drawn less exactly than that
+  // Metres, below which it goes in patches, as floors are drawn less exactly than that.
+  constexpr double kThin = 0.05;
   auto sink = static_cast<float>(kSink + kThin * (1 - smooth_step(0.0, kThin, depth)));
   Surface surface{sheet.bare, {}, sheet.triangle, {}};
   for (std::size_t i = 0; i < sheet.bare.size(); ++i)
@@ -151,6 +156,7 @@ struct SquareField {
   float of(int column, int row) const { return value[static_cast<std::size_t>(row * side + column)]; }
   /// Without a jump to 1 beyond its edge.
   float operator()(Vec2 p) const {
+    constexpr float kRim = 10;  // cells
     Vec2 x = (p - low) / cell;
     float inside =
         std::min({x.x, x.y, static_cast<float>(side - 1) - x.x, static_cast<float>(side - 1) - x.y});
@@ -159,7 +165,7 @@ struct SquareField {
     Vec2 f = x - Vec2(i);
     float here = glm::mix(glm::mix(of(i.x, i.y), of(i.x + 1, i.y), f.x),
                           glm::mix(of(i.x, i.y + 1), of(i.x + 1, i.y + 1), f.x), f.y);
-    return glm::mix(1.0f, here, std::min(1.0f, inside / 10));
+    return glm::mix(1.0f, here, std::min(1.0f, inside / kRim));
   }
 };
 
@@ -182,28 +188,35 @@ void blur(SquareField& field, int times) {
 /// How much the wind lays down or takes at a place, as a factor: by the steepest rise of what stands before
 /// the wind, and behind it.
 float drifted(const SnowLand& land, const CoverGrid& bodies, const SnowWind& wind, Vec2 at) {
-  constexpr float kLee = 5;  // metres
+  // Places that are looked at: metres to the first and the farthest, and from each to the next a factor.
+  constexpr float kFirstPlace = 0.3f, kLee = 5, kNextPlace = 1.25f;
+  // Rise over run of what begins to stop the wind and of what stops it, and how much snow that lays down or
+  // takes: by eye.
+  constexpr double kLeeFrom = 0.05, kLeeFull = 0.7, kLaid = 1.1;
+  constexpr double kBeforeFrom = 0.1, kBeforeFull = 1.2, kTaken = 0.7;
   if (wind.drift <= 0) return 1;
   auto height = static_cast<float>(land.height(at));
   auto steepest = [&](Vec2 toward) {
     float most = 0;
-    for (float far = 0.3f; far < kLee; far *= 1.25f) {
+    for (float far = kFirstPlace; far < kLee; far *= kNextPlace) {
       Vec2 there = at + far * toward;
       most = std::max(most, (bodies.top(there, height) - height) / far);
     }
     return static_cast<double>(most);
   };
-  double lee = smooth_step(0.05, 0.7, steepest(-wind.toward)),
-         before = smooth_step(0.1, 1.2, steepest(wind.toward));
-  return static_cast<float>(1 + wind.drift * (1.1 * lee - 0.7 * before));
+  double lee = smooth_step(kLeeFrom, kLeeFull, steepest(-wind.toward)),
+         before = smooth_step(kBeforeFrom, kBeforeFull, steepest(wind.toward));
+  return static_cast<float>(1 + wind.drift * (kLaid * lee - kTaken * before));
 }
 
 /// 1, and toward 0 at the foot of a trunk.
 float hollow(const std::vector<SnowTrunk>& trunks, Vec2 at) {
+  constexpr float kLeastWide = 0.12f, kByTrunk = 0.9f;  // metres, and more by the trunk's radius
+  constexpr float kHollowDepth = 0.75f;                 // share of the depth
   float share = 1;
   for (const SnowTrunk& trunk : trunks) {
-    float far = glm::distance(trunk.at, at) - trunk.radius, wide = 0.12f + 0.9f * trunk.radius;
-    if (far < 3 * wide) share *= 1 - 0.75f * std::exp(-std::max(far, 0.0f) / wide);
+    float far = glm::distance(trunk.at, at) - trunk.radius, wide = kLeastWide + kByTrunk * trunk.radius;
+    if (far < 3 * wide) share *= 1 - kHollowDepth * std::exp(-std::max(far, 0.0f) / wide);
   }
   return share;
 }
@@ -212,7 +225,9 @@ float hollow(const std::vector<SnowTrunk>& trunks, Vec2 at) {
 
 SnowSheet snow_on_ground(const SnowLand& land, const CoverGrid& bodies, const SnowWind& wind, Seed seed) {
   Surface mesh = ground_surface(land.height, land.center, {land.radius, land.rings});
-  SquareField field{land.center - 12.0f, 0.08f, 301, {}};
+  constexpr float kHalfField = 12, kFieldCell = 0.08f;  // metres round the middle
+  constexpr int kFieldSide = 301, kBlurs = 4;           // places on a side of 24 m
+  SquareField field{land.center - kHalfField, kFieldCell, kFieldSide, {}};
   field.value.resize(static_cast<std::size_t>(field.side) * static_cast<std::size_t>(field.side));
   parallel_for(static_cast<std::size_t>(field.side), [&](std::size_t r) {
     auto row = static_cast<int>(r);
@@ -222,15 +237,18 @@ SnowSheet snow_on_ground(const SnowLand& land, const CoverGrid& bodies, const Sn
       field.of(column, row) = bodies.openness(ground) * drifted(land, bodies, wind, at);
     }
   });
-  blur(field, 4);
+  blur(field, kBlurs);
   Vec3 shift(static_cast<float>(seed.range(-99, 99)), 0, static_cast<float>(seed.child(1).range(-99, 99)));
+  constexpr float kWaveAlong = 1.1f, kWaveAcross = 2.6f;  // metres of wind-blown waves
+  constexpr double kCalmWaves = 0.08, kDriftWaves = 0.3;  // height by the depth; and more in a strong wind
+  constexpr double kLeastDepth = 0.2;                     // share of the depth
   Vec2 across(-wind.toward.y, wind.toward.x);
   SnowSheet sheet{mesh.position, std::vector<float>(mesh.position.size()), std::move(mesh.triangle)};
   parallel_for(sheet.bare.size(), [&](std::size_t i) {
     Vec2 at(sheet.bare[i].x, sheet.bare[i].z);
-    Vec3 p(glm::dot(at, wind.toward) / 1.1f, 0, glm::dot(at, across) / 2.6f);
-    double waves = 1 + (0.08 + 0.3 * wind.drift) * 0.6 * fractal_noise(p + shift, 3);
-    sheet.share[i] = field(at) * hollow(land.trunks, at) * static_cast<float>(std::max(0.2, waves));
+    Vec3 p(glm::dot(at, wind.toward) / kWaveAlong, 0, glm::dot(at, across) / kWaveAcross);
+    double waves = 1 + (kCalmWaves + kDriftWaves * wind.drift) * 0.6 * fractal_noise(p + shift, 3);
+    sheet.share[i] = field(at) * hollow(land.trunks, at) * static_cast<float>(std::max(kLeastDepth, waves));
     if (land.kept) sheet.share[i] *= static_cast<float>(land.kept(at));
   });
   return sheet;

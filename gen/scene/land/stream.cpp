@@ -15,11 +15,12 @@ namespace frond {
 
 namespace {
 
-constexpr double kStep = 0.5;       // metres from point to point of the course
-constexpr int kMostCells = 400;     // of the grid across the square
-constexpr double kFreeboard = 0.1;  // metres of the water below the land
-constexpr double kFall = 0.003;     // metres that it falls on each metre at least
-constexpr double kRoughness = 0.06;
+constexpr double kStep = 0.5;                    // metres from point to point of the course
+constexpr int kMostCells = 400;                  // of the grid across the square
+constexpr double kFreeboard = 0.1;               // metres of the water below the land
+constexpr double kFall = 0.003;                  // metres that it falls on each metre at least
+constexpr double kRoughness = 0.06;              // Manning's n, s/m^(1/3), of a bed of cobbles
+constexpr double kMeander = 11;                  // wavelength of bends by the width
 constexpr double kSlowest = 0.15, kFastest = 2;  // metres a second
 constexpr double kBeach = 0.4;                   // slope of the bed beside the water
 constexpr float kShore = 0.45f;                  // metres of bed beside the water
@@ -71,12 +72,14 @@ Vec2 direction_at(const std::vector<Vec2>& line, std::size_t i) {
 
 /// The line with bends to both sides.
 std::vector<Vec2> winding(const std::vector<Vec2>& line, double width, Seed seed) {
+  constexpr double kBend = 2.2;  // widths that it strays to each side, about
   std::vector<Vec2> bent = line;
   for (std::size_t i = 0; i < line.size(); ++i) {
-    double along = kStep * static_cast<double>(i) / (11 * width);
+    double along = kStep * static_cast<double>(i) / (kMeander * width);
     Vec2 d = direction_at(line, i);
-    bent[i] += static_cast<float>(2.2 * width * noise(Vec3(2 * along, seed.child("bend").range(0, 99), 0))) *
-               Vec2(-d.y, d.x);
+    bent[i] +=
+        static_cast<float>(kBend * width * noise(Vec3(2 * along, seed.child("bend").range(0, 99), 0))) *
+        Vec2(-d.y, d.x);
   }
   smooth(bent, static_cast<int>(2 * width / kStep) + 2);
   return evenly_spaced(bent, kStep);
@@ -88,20 +91,27 @@ StreamCourse::StreamCourse(const StreamShape& shape, double side, const std::fun
                            Seed seed)
     : shape_(shape), seed_(seed) {
   if (shape.width <= 0) return;
+  // Rounds of smoothing that take the steps of the grid out of the way down, and out of its fall.
+  constexpr int kSmoothWay = 8, kSmoothFall = 12;
+  // It is wider and narrower by a share of its width, over so many widths, and comes out of the ground over
+  // so many.
+  constexpr double kVaries = 0.35, kVariesOver = 3;
+  constexpr double kSpringFrom = -0.3, kSpringTo = 3;
   std::vector<Vec2> line = way_down(shape.from, side, land);
   if (line.size() < 4) return;
-  smooth(line, 8);
+  smooth(line, kSmoothWay);
   line = winding(evenly_spaced(line, kStep), shape.width, seed);
   std::vector<float> level;
   for (Vec2 at : line) level.push_back(static_cast<float>(land(at) - kFreeboard));
-  smooth(level, 12);
+  smooth(level, kSmoothFall);
   for (std::size_t i = 1; i < level.size(); ++i)
     level[i] = std::min(level[i], level[i - 1] - static_cast<float>(kFall * kStep));
   for (std::size_t i = 0; i < line.size(); ++i) {
     double along = kStep * static_cast<double>(i);
-    double wide = 1 + 0.35 * noise(Vec3(along / (3 * shape.width), seed.child("width").range(0, 99), 0));
+    double wide =
+        1 + kVaries * noise(Vec3(along / (kVariesOver * shape.width), seed.child("width").range(0, 99), 0));
     // It begins as a spring.
-    wide *= smooth_step(-0.3 * shape.width, 3 * shape.width, along);
+    wide *= smooth_step(kSpringFrom * shape.width, kSpringTo * shape.width, along);
     course_.push_back({line[i], direction_at(line, i), static_cast<float>(along), level[i],
                        static_cast<float>(wide * shape.width / 2)});
   }
@@ -132,11 +142,15 @@ double StreamCourse::distance(Vec2 at) const { return flows() ? near(at).shore()
 
 double StreamCourse::bed_height(const Near& found) const {
   double out = found.away / std::max<double>(found.at.half, 0.05);
+  constexpr double kCobbles = 0.25;                            // of the depth, of cobbles and pools
+  constexpr double kCobblesAlong = 0.9, kCobblesAcross = 0.5;  // metres, the size of these
+  constexpr double kCobblesEnd = 1.3, kCobblesAll = 0.6;  // by the way to the shore: none, and all of them
   double bed = out < 1 ? -shape_.depth * (1 - out * out) : kBeach * found.shore();
   // Cobbles, and pools between them.
   Vec2 at = found.at.at;
-  bed += 0.25 * shape_.depth * noise(Vec3(at.x / 0.9, found.away / 0.5, at.y / 0.9)) *
-         smooth_step(1.3, 0.6, out);
+  bed += kCobbles * shape_.depth *
+         noise(Vec3(at.x / kCobblesAlong, found.away / kCobblesAcross, at.y / kCobblesAlong)) *
+         smooth_step(kCobblesEnd, kCobblesAll, out);
   return found.at.level + bed;
 }
 
@@ -144,10 +158,12 @@ double StreamCourse::height(Vec2 at, double land) const { return flows() ? heigh
 
 double StreamCourse::height(const Near& found, double land) const {
   double shore = found.shore();
-  // Banks rise gently.
-  double bank = std::max(1.5 * shape_.width, 2.5 * std::abs(land - found.at.level)) + 1;
+  // Banks rise gently: they are so many widths of the stream across, and so much by their height.
+  constexpr double kBankWidths = 1.5, kBankSlope = 2.5;
+  constexpr double kAboveWater = 0.05;  // metres of the bed at most, where the land is as low as that
+  double bank = std::max(kBankWidths * shape_.width, kBankSlope * std::abs(land - found.at.level)) + 1;
   if (shore >= bank) return land;
-  double bed = std::min(bed_height(found), std::max<double>(land, found.at.level + 0.05));
+  double bed = std::min(bed_height(found), std::max<double>(land, found.at.level + kAboveWater));
   return bed + (land - bed) * smooth_step(0.0, bank, std::max(shore, 0.0));
 }
 
@@ -185,7 +201,9 @@ Surface StreamCourse::strip(double beyond, int columns,
 }
 
 Surface StreamCourse::water() const {
-  return strip(0.2, 5, [](const StreamPoint& p, float across) {
+  constexpr double kUnderBank = 0.2;  // metres past the shore, where the bed hides it
+  constexpr int kWaterColumns = 5;
+  return strip(kUnderBank, kWaterColumns, [](const StreamPoint& p, float across) {
     Vec2 at = p.at + across * Vec2(-p.toward.y, p.toward.x);
     return Vec3(at.x, p.level, at.y);
   });
@@ -196,8 +214,9 @@ Surface StreamCourse::bed() const {
     Vec2 at = p.at + across * Vec2(-p.toward.y, p.toward.x);
     double height = bed_height({std::abs(across), p});
     // Its edge goes below the ground beside it.
-    double edge = std::abs(across) - p.half - 0.75 * kShore;
-    return Vec3(at.x, height - 2 * std::max(edge, 0.0), at.y);
+    constexpr double kEdge = 0.75, kDown = 2;  // share of the shore from which it does, and slope
+    double edge = std::abs(across) - p.half - kEdge * kShore;
+    return Vec3(at.x, height - kDown * std::max(edge, 0.0), at.y);
   });
   for (std::size_t i = 0; i < mesh.uv.size(); ++i)
     mesh.uv[i] = {course_[i / kAcross].level - mesh.position[i].y, 0};
@@ -206,12 +225,15 @@ Surface StreamCourse::bed() const {
 
 Solids StreamCourse::stones() const {
   constexpr int kShapes = 6;
-  constexpr double kDense = 9;  // stones on a metre
+  constexpr double kDense = 9;                          // stones on a metre
+  constexpr double kInBed = 0.35;                       // share of stones
+  constexpr double kShoreFrom = 0.85, kShoreTo = 1.35;  // places of the others, by the way to the shore
+  constexpr double kSmallest = 0.05, kRange = 0.4;      // metres
   Solids stones;
   for (std::uint64_t k = 0; k < kShapes; ++k) {
     auto grey = static_cast<float>(seed_.child("grey", k).range(0.34, 0.5));
     stones.add_shape(
-        {stone_surface({seed_.child("stone", k), 0.35, 0.4}, 3),
+        {stone_surface({.seed = seed_.child("stone", k), .roughness = 0.35, .flatness = 0.4}, 3),
          {.matter = Matter::granite, .color = {grey, 0.97f * grey, 0.9f * grey}, .scale = 0.2, .moss = 0.4}});
   }
   double length = flows() ? course_.back().along : 0;
@@ -220,8 +242,9 @@ Solids StreamCourse::stones() const {
     const StreamPoint& p =
         course_[static_cast<std::size_t>(own.child(0).unit() * static_cast<double>(course_.size() - 1))];
     // Most lie along the shore; few are large.
-    double out = p.half * (own.child(1).unit() < 0.35 ? own.child(2).unit() : own.child(2).range(0.85, 1.35));
-    double size = 0.05 + 0.4 * std::pow(own.child(3).unit(), 3) * std::min(1.0, 2.0 * p.half);
+    double out = p.half * (own.child(1).unit() < kInBed ? own.child(2).unit()
+                                                        : own.child(2).range(kShoreFrom, kShoreTo));
+    double size = kSmallest + kRange * std::pow(own.child(3).unit(), 3) * std::min(1.0, 2.0 * p.half);
     double side = own.child(4).unit() < 0.5 ? -1 : 1;
     Vec2 at = p.at + static_cast<float>(side * out) * Vec2(-p.toward.y, p.toward.x);
     double y = bed_height({out, p}) + size * own.child(5).range(-0.25, 0.2);
@@ -234,6 +257,8 @@ Solids StreamCourse::stones() const {
 }
 
 std::vector<Afloat> StreamCourse::leaves(double time, double loop) const {
+  constexpr double kScattered = 0.45, kSwings = 0.3;  // by half the width, across
+  constexpr float kAboveWater = 0.004f;               // metres
   constexpr int kAlike = 3;  // in a film that loops, each so many places on is like it
   std::vector<Afloat> list;
   if (!flows() || shape_.leaves < 1) return list;
@@ -245,16 +270,17 @@ std::vector<Afloat> StreamCourse::leaves(double time, double loop) const {
     auto like = static_cast<std::uint64_t>(loop > 0 ? k % kAlike : k);
     Seed own = seed_.child("leaf", like);
     double along = std::fmod(apart * (k + own.child(0).unit()) + gone, length);
+    // It comes up, and goes down, on two metres.
     double sink = std::min({1.0, along / 2, (length - along) / 2});
     auto i = static_cast<std::size_t>(along / kStep);
     const StreamPoint &a = course_[std::min(i, course_.size() - 2)],
                       &b = course_[std::min(i + 1, course_.size() - 1)];
     auto t = static_cast<float>(along / kStep - static_cast<double>(i));
-    double way = along / (11 * shape_.width) + own.child(1).unit();
-    float across = std::lerp(a.half, b.half, t) *
-                   static_cast<float>(0.45 * own.child(2).range(-1, 1) + 0.3 * std::sin(2 * kPi * way));
+    double way = along / (kMeander * shape_.width) + own.child(1).unit();
+    float across = std::lerp(a.half, b.half, t) * static_cast<float>(kScattered * own.child(2).range(-1, 1) +
+                                                                     kSwings * std::sin(2 * kPi * way));
     Vec2 at = glm::mix(a.at, b.at, t) + across * Vec2(-a.toward.y, a.toward.x);
-    list.push_back({Vec3(at.x, std::lerp(a.level, b.level, t) + 0.004f, at.y),
+    list.push_back({Vec3(at.x, std::lerp(a.level, b.level, t) + kAboveWater, at.y),
                     static_cast<float>(2 * kPi * (own.child(3).unit() + own.child(4).range(-1, 1) * way)),
                     static_cast<float>(sink * own.child(5).range(0.75, 1.25)),
                     static_cast<int>(own.child(6).bits() % 64)});

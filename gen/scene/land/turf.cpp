@@ -10,12 +10,14 @@ namespace frond {
 
 namespace {
 
-/// How a kind of grass differs: shares of the length of the lawn's blades.
+// Lengths and widths below are shares of the length of the lawn's blades, by eye.
+
+/// How a kind of grass differs.
 struct GrassHabit {
-  double least, most;  // its length
-  double thin, broad;  // its width
-  double straight, hanging;
-  int tuft;  // blades that come from one place; 1: all over
+  double least, most;        // its length
+  double thin, broad;        // its width
+  double straight, hanging;  // its droop
+  int tuft;                  // blades that come from one place; 1: all over
 };
 
 GrassHabit habit_of(MeadowPlant kind) {
@@ -36,8 +38,26 @@ GrassHabit habit_of(MeadowPlant kind) {
   return {0.45, 1.15, 0.035, 0.070, 0.10, 0.75, 1};
 }
 
-constexpr double kWidestClover = 0.017;  // metres, a leaflet's length
-constexpr double kWidestFlower = 0.015;  // metres, the radius of a head
+/// A stalk that bears something.
+struct Stalk {
+  float droop;  // by that of a blade
+  float width;
+  double least, most;  // its length
+};
+constexpr Stalk kHeadStalk{0.25f, 0.024f, 0.8, 1.25}, kSpikeStalk{0.3f, 0.02f, 1.0, 1.6},
+    kCloverStalk{0.6f, 0.014f, 0.32, 0.72};
+
+/// Leaves round the foot of a flower.
+struct Rosette {
+  int leaves;
+  float length, width;
+  float rise;  // as of add_rosette_leaf()
+};
+constexpr Rosette kDaisyLeaves{6, 0.22f, 0.10f, 0.5f}, kPlantainLeaves{6, 0.75f, 0.15f, 1.3f};
+
+constexpr float kSpike = 0.16f;                                 // length of a plantain's
+constexpr double kCloverLeaflet = 0.18, kWidestClover = 0.017;  // a leaflet's length, and metres at most
+constexpr double kFlowerHead = 0.12, kWidestFlower = 0.015;     // a head's radius, and metres at most
 
 /// Sows one patch.
 class Sower {
@@ -78,7 +98,8 @@ class Sower {
     auto tufts = static_cast<std::uint64_t>(std::max(1.0, blades / tuft));
     Seed middle =
         seed_.child("tuft", static_cast<std::uint64_t>(plant.kind)).child(own.child(10).bits() % tufts);
-    float spread = static_cast<float>(0.22 * shape_.blade);
+    constexpr double kTuftRadius = 0.22;  // half the side of a square
+    float spread = static_cast<float>(kTuftRadius * shape_.blade);
     return place(middle) + Vec3(number(own, 1, -spread, spread), 0, number(own, 2, -spread, spread));
   }
 
@@ -87,7 +108,9 @@ class Sower {
     float away = glm::length(at);
     if (bare_ <= 0 || away <= 0) return bare_ <= 0;
     double place = away / (bare_ * earth_reach(at / away, own_));
-    return own.child(11).unit() < 0.03 + smooth_step(0.35, 1.1, place);
+    constexpr double kAnywhere = 0.03;             // share that comes up even in its middle
+    constexpr double kFirst = 0.35, kAllUp = 1.1;  // shares of the way to the rim
+    return own.child(11).unit() < kAnywhere + smooth_step(kFirst, kAllUp, place);
   }
 
   void sow(const Seed& own) {
@@ -116,16 +139,22 @@ class Sower {
       case MeadowPlant::clover:
         return grow_clover(blade, lawn, own);
       case MeadowPlant::daisy:
-        grow_rosette(blade, lawn, 0.22f, 0.10f, 6);
+        grow_rosette(blade, lawn, kDaisyLeaves);
         return grow_head(blade, lawn, Bloom::daisy, own);
       case MeadowPlant::buttercup:
         return grow_buttercup(blade, lawn, own);
       case MeadowPlant::plantain:
-        grow_rosette(blade, lawn, 0.75f, 0.15f, 6);
-        blade.length = lawn * number(own, 4, 1.0, 1.6), blade.droop *= 0.3f, blade.width = 0.02f * lawn;
-        add_spike(turf_.flowers, blade, 0.16f * lawn);
+        grow_rosette(blade, lawn, kPlantainLeaves);
+        make_stalk(blade, kSpikeStalk, lawn, own);
+        add_spike(turf_.flowers, blade, kSpike * lawn);
         return add_blade(turf_.blades, blade);
     }
+  }
+
+  /// Makes a stalk of a blade.
+  static void make_stalk(BladeOfGrass& blade, const Stalk& stalk, float lawn, const Seed& own) {
+    blade.droop *= stalk.droop, blade.width = stalk.width * lawn;
+    blade.length = lawn * number(own, 4, stalk.least, stalk.most);
   }
 
   /// One of the flowers that come up anywhere: white ones in one patch, yellow ones in another.
@@ -135,19 +164,22 @@ class Sower {
   }
 
   void grow_head(BladeOfGrass blade, float lawn, Bloom kind, const Seed& own) {
-    blade.droop *= 0.25f, blade.width = lawn * 0.024f;
-    blade.length = lawn * number(own, 4, 0.8, 1.25);
-    float radius = static_cast<float>(std::min(0.12 * lawn, kWidestFlower)) * number(own, 8, 0.75, 1.15);
+    make_stalk(blade, kHeadStalk, lawn, own);
+    float radius =
+        static_cast<float>(std::min(kFlowerHead * lawn, kWidestFlower)) * number(own, 8, 0.75, 1.15);
     add_head(turf_.flowers, blade, radius, kind);
     add_blade(turf_.blades, blade);
   }
 
   void grow_clover(BladeOfGrass blade, float lawn, const Seed& own) {
-    float leaflet = static_cast<float>(std::min(0.18 * lawn, kWidestClover)) * number(own, 8, 0.7, 1.15);
-    blade.length = lawn * number(own, 4, 0.32, 0.72), blade.droop *= 0.6f, blade.width = 0.014f * lawn;
-    bool head = shape_.flowers > 0 && own.child(13).unit() < 0.05;
+    float leaflet =
+        static_cast<float>(std::min(kCloverLeaflet * lawn, kWidestClover)) * number(own, 8, 0.7, 1.15);
+    make_stalk(blade, kCloverStalk, lawn, own);
+    constexpr double kHeads = 0.05;                          // share of stalks with a head instead of a leaf
+    constexpr float kHeadsAbove = 1.35f, kHeadSize = 0.75f;  // by the leaves' height, by a leaflet's length
+    bool head = shape_.flowers > 0 && own.child(13).unit() < kHeads;
     if (head)
-      blade.length *= 1.35f, add_clover_head(turf_.flowers, blade, 0.75f * leaflet);
+      blade.length *= kHeadsAbove, add_clover_head(turf_.flowers, blade, kHeadSize * leaflet);
     else
       add_trefoil(turf_.leaves, blade, leaflet, HerbPart::clover);
     add_blade(turf_.blades, blade);
@@ -155,22 +187,28 @@ class Sower {
 
   void grow_buttercup(const BladeOfGrass& blade, float lawn, const Seed& own) {
     BladeOfGrass leaf = blade;
-    leaf.length = lawn * number(own, 14, 0.3, 0.6), leaf.width = 0.014f * lawn;
-    add_trefoil(turf_.leaves, leaf, 0.22f * lawn, HerbPart::herb);
+    constexpr float kLeafStalk = 0.014f, kLeaflet = 0.22f;  // the width of the one, the length of the other
+    constexpr float kTaller = 1.15f;                        // flowers than those that come up anywhere
+    leaf.length = lawn * number(own, 14, 0.3, 0.6), leaf.width = kLeafStalk * lawn;
+    add_trefoil(turf_.leaves, leaf, kLeaflet * lawn, HerbPart::herb);
     add_blade(turf_.blades, leaf);
-    grow_head(blade, lawn * 1.15f, Bloom::buttercup, own);
+    grow_head(blade, lawn * kTaller, Bloom::buttercup, own);
   }
 
-  void grow_rosette(const BladeOfGrass& blade, float lawn, float length, float width, int leaves) {
-    for (int i = 0; i < leaves; ++i) {
+  void grow_rosette(const BladeOfGrass& blade, float lawn, const Rosette& rosette) {
+    constexpr float kTurn = 2.4f;  // radians from leaf to leaf: the golden angle
+    constexpr float kDroop = 0.35f;
+    constexpr float kStem = 0.04f;  // of the lawn, from the ground to the leaves
+    for (int i = 0; i < rosette.leaves; ++i) {
       BladeOfGrass leaf = blade;
-      float turn = 2.4f * static_cast<float>(i) + 6 * blade.own;
+      float turn = kTurn * static_cast<float>(i) + 6 * blade.own;
       leaf.toward = Vec3(std::cos(turn), 0, std::sin(turn));
       leaf.across = Vec3(-leaf.toward.z, 0, leaf.toward.x);
-      leaf.length = lawn * length * (0.75f + 0.25f * std::cos(5 * turn)), leaf.width = lawn * width;
-      leaf.droop = 0.35f;
-      leaf.root.y += 0.04f * lawn;
-      add_rosette_leaf(turf_.leaves, leaf, length > 0.5f ? 1.3f : 0.5f);
+      leaf.length = lawn * rosette.length * (0.75f + 0.25f * std::cos(5 * turn));
+      leaf.width = lawn * rosette.width;
+      leaf.droop = kDroop;
+      leaf.root.y += kStem * lawn;
+      add_rosette_leaf(turf_.leaves, leaf, rosette.rise);
     }
   }
 

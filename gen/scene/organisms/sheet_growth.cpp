@@ -36,6 +36,9 @@ MarginStart ring_start(Vec3 middle, double radius, double turn, double arc, doub
 
 SheetBody stalk_body(double foot, double top, double height, Seed seed) {
   constexpr int kRound = 28, kRings = 18;
+  constexpr double kStalkSunk = 0.02;                                // metres in the ground
+  constexpr double kStalkUneven = 0.25, kStalkLumps = 1.5;           // of its radius; on that of its foot
+  constexpr float kSmallest = 0.04f, kGrows = 0.96f, kGrown = 0.6f;  // of its size, twice; of growth
   SheetBody body;
   Vec3 lot(static_cast<float>(seed.child("lot").range(-99, 99)), 0, 0);
   std::vector<float> birth;
@@ -45,10 +48,10 @@ SheetBody stalk_body(double foot, double top, double height, Seed seed) {
       double radius = top + (foot - top) * (1 - share) * (1 - share);
       if (j == kRings) radius *= 0.5;
       Vec3 out(static_cast<float>(std::cos(angle)), 0, static_cast<float>(std::sin(angle)));
-      Vec3 at =
-          out * static_cast<float>(radius) + Vec3(0, static_cast<float>((height + 0.02) * share - 0.02), 0);
-      at += out *
-            static_cast<float>(0.25 * radius * fractal_noise(at * static_cast<float>(1.5 / foot) + lot, 3));
+      Vec3 at = out * static_cast<float>(radius) +
+                Vec3(0, static_cast<float>((height + kStalkSunk) * share - kStalkSunk), 0);
+      at += out * static_cast<float>(kStalkUneven * radius *
+                                     fractal_noise(at * static_cast<float>(kStalkLumps / foot) + lot, 3));
       body.surface.position.push_back(at);
       body.surface.uv.push_back({0.4f, static_cast<float>(0.7 * share)});
     }
@@ -64,7 +67,7 @@ SheetBody stalk_body(double foot, double top, double height, Seed seed) {
   }
   set_normals(body.surface);
   for (int k = 0; k < kSheetSteps; ++k) {
-    float size = 0.04f + 0.96f * smooth_step(0.0f, 0.6f, static_cast<float>(k) / kSheetSteps);
+    float size = kSmallest + kGrows * smooth_step(0.0f, kGrown, static_cast<float>(k) / kSheetSteps);
     std::vector<Vec3>& then = body.past.emplace_back();
     for (Vec3 p : body.surface.position) then.push_back(p * size);
   }
@@ -85,8 +88,9 @@ Errors check_edge(double edge, double across, double parts) {
 SizeEstimate estimate_surface(double area, double edge) {
   constexpr double kSheetTriangle = 4e-6;  // seconds of one that is laid
   constexpr double kLongRow = 300;  // triangles across; in longer rows each is held against more others
+  constexpr double kTriangles = 3;  // of both sides, on a square of the edge
   SizeEstimate sight;
-  sight.triangles = 3 * area / (edge * edge);
+  sight.triangles = kTriangles * area / (edge * edge);
   sight.area = area;
   sight.blocks = 1;
   double across = std::sqrt(area) / edge;
@@ -97,13 +101,14 @@ SizeEstimate estimate_surface(double area, double edge) {
 
 SizeEstimate estimate_surface(const Accretion& law, double area) {
   constexpr double kLaidTriangle = 1.2e-7;  // seconds of one in one layer, when it has grown
+  constexpr double kTriangles = 2.3;        // on a square of the edge: 4 / sqrt(3) where all are equilateral
   SizeEstimate sight;
-  sight.triangles = 2.3 * area / (law.edge * law.edge);
+  sight.triangles = kTriangles * area / (law.edge * law.edge);
   // Where a layer is thicker than triangles are wide, the skin folds, and is cut again and again.
   double thick = std::max(law.across, law.up) / law.layers / law.edge;
   sight.triangles *= std::clamp(0.35 * std::pow(thick, 1.8), 1.0, 8.0);
   sight.seconds = kLaidTriangle * law.layers * sight.triangles * std::clamp(1.5 * thick, 1.0, 3.0);
-  sight.area = sight.triangles * law.edge * law.edge / 2.3;
+  sight.area = sight.triangles * law.edge * law.edge / kTriangles;
   sight.blocks = 1;
   sight.held = kPastTriangle * sight.triangles;
   return sight;

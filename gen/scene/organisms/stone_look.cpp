@@ -72,8 +72,12 @@ Errors check_rock(const RockShape& shape) {
 }
 
 double estimate_triangles(const RockShape& shape) {
-  double flat = 6e4 * std::pow(0.0003 / std::max(shape.cells.tolerance, 1e-9), 0.87);
-  return std::min(flat, 6.6 * std::pow(4.0, shape.cells.depth));
+  // Triangles at a tolerance in metres, and the power by which a finer one makes more of them.
+  constexpr double kTriangles = 6e4, kAtTolerance = 0.0003, kFinerPower = 0.87;
+  constexpr double kOneCellTriangles =
+      6.6;  // where cells are not divided; each division makes 4 times as many
+  double flat = kTriangles * std::pow(kAtTolerance / std::max(shape.cells.tolerance, 1e-9), kFinerPower);
+  return std::min(flat, kOneCellTriangles * std::pow(4.0, shape.cells.depth));
 }
 
 }  // namespace frond

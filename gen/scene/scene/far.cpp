@@ -49,8 +49,9 @@ FarView far_view(const Film& film, const Camera& camera) {
     view.aside = std::max<double>(view.aside, glm::length(Vec2(lens.at.x, lens.at.z)));
     // The corners of the picture reach farther round where the camera looks up or down.
     double level = std::hypot(lens.toward.x, lens.toward.z);
+    constexpr double kOverPole = 0.1;  // below that its edge comes near the zenith or its opposite: all round
     double inner = level - std::abs(lens.toward.y) * lens.high;
-    double half = kMargin + (inner > 0.1 ? std::atan(lens.wide / inner) : kPi);
+    double half = kMargin + (inner > kOverPole ? std::atan(lens.wide / inner) : kPi);
     double middle = std::atan2(double{lens.toward.z}, double{lens.toward.x});
     if (half >= kPi) middle = 0, half = kPi;
     // Within one turn from 0.
@@ -112,6 +113,7 @@ void plant_far_trees(Scene& scene, const Preset& preset, DistantTerrain& far, Se
 }
 
 std::vector<ScatteredInstances> strewn_far(const DistantTerrain& far) {
+  // In the order of FarCover, and of FarKind.
   constexpr std::array<Color, kFarCovers> kColors{{{0.39f, 0.46f, 0.17f},
                                                    {0.50f, 0.52f, 0.26f},
                                                    {0.36f, 0.43f, 0.18f},

@@ -57,6 +57,7 @@ namespace {
 
 constexpr double kLeafLength = 0.09;  // metres
 constexpr double kNoLitter = 0.3;     // metres from the water
+constexpr double kNoPath = 1e6;       // metres, where there is none
 constexpr std::array<Color, 5> kLeafColors{{{0.72f, 0.55f, 0.16f},
                                             {0.60f, 0.34f, 0.13f},
                                             {0.45f, 0.27f, 0.13f},
@@ -92,16 +93,18 @@ ForestGround::ForestGround(const Forest& forest, const Film& film, Seed seed, co
 
 ForestLand ForestGround::floor_land() const {
   return {[this](Vec2 at) { return heights()(at.x, at.y); },
-          [this](Vec2 at) { return plot_.has_path() ? plot_.path_distance(at) : 1e6; },
+          [this](Vec2 at) { return plot_.has_path() ? plot_.path_distance(at) : kNoPath; },
           [this](Vec2 at) { return moss_map_.on_land(at, size_); }};
 }
 
 void ForestGround::lay_litter(const Camera& camera) {
   cover = strew_floor(film_, camera, floor_land(), moss_, seed_);
+  constexpr double kLeastHeath = 0.5;  // share of heath that is no wood any more
   if (mountain)
     for (auto* patches : {&cover.litter_patches, &cover.moss_patches})
       std::erase_if(*patches, [&](const Patch& p) {
-        return mountain_cover_on(floor_land(), lines_, {p.at.x, p.at.z}) > 0.5 * mountain_cover::kHeath;
+        return mountain_cover_on(floor_land(), lines_, {p.at.x, p.at.z}) >
+               kLeastHeath * mountain_cover::kHeath;
       });
   if (!stream().flows()) return;
   for (auto* patches : {&cover.litter_patches, &cover.moss_patches})
@@ -166,6 +169,8 @@ Land ForestGround::land(std::vector<Spot> taken) const {
 namespace {
 
 constexpr double kLongestCameraPath = 10'000;  // metres that a camera goes
+constexpr double kLeastReach = 30;             // metres from the middle, on however small a land
+constexpr double kLeastPathReach = 1200;       // metres from the middle to points of a path, likewise
 
 /// Leaves and moss lie wherever the camera comes near.
 void check_litter(Errors& list, const SceneSetup& setup, const Film& film) {
@@ -192,24 +197,29 @@ SettingRow forest_setting() {
        "/meadow/horizon", "/snow", "/rain", "/far", "/year"},
       [](const SceneSetup& setup) {
         const TerrainShape& land = setup.block<Forest>().terrain;
-        return Extent{.reach = std::max(30.0, land.size), .sown = land.size, .relief = land.hills};
+        return Extent{.reach = std::max(kLeastReach, land.size), .sown = land.size, .relief = land.hills};
       },
       [](const SceneSetup& setup, const Film& film) {
         const TerrainShape& land = setup.block<Forest>().terrain;
         Errors errors;
-        check_path(errors, land.path, "/forest/terrain/path/points", std::max(1200.0, 2 * land.size));
+        check_path(errors, land.path, "/forest/terrain/path/points",
+                   std::max(kLeastPathReach, 2 * land.size));
         check_litter(errors, setup, film);
         return errors;
       },
       [](const SceneSetup& setup, const Film& film) {
         // Litter lies wherever the camera passes by.
+        constexpr int kMostLooks = 200;
+        constexpr double kFloor = 39'200, kLitter = 13'700;      // triangles
+        constexpr double kPatches = 3000, kPatchesAMetre = 170;  // of litter, on the camera's way
         double length = 0;
-        for (int frame = 2, step = std::max(1, film.frames / 200); frame <= film.frames; frame += step) {
+        for (int frame = 2, step = std::max(1, film.frames / kMostLooks); frame <= film.frames;
+             frame += step) {
           Vec3 moved = setup.camera.location.at(film.time(frame)) -
                        setup.camera.location.at(film.time(std::max(1, frame - step)));
           length += std::hypot(moved.x, moved.z);
         }
-        return GroundSizeEstimate{39'200, 13'700, 3000 + 170 * length};
+        return GroundSizeEstimate{kFloor, kLitter, kPatches + kPatchesAMetre * length};
       },
       [](const SceneSetup& setup, const Film& film, double, Seed seed) -> std::unique_ptr<Grounds> {
         AltitudeLines lines = setup.far.value_or(FarLandShape{}).lines();
@@ -219,11 +229,13 @@ SettingRow forest_setting() {
       [](const SceneSetup& setup) {
         const auto& forest = setup.block<Forest>();
         // Litter lies on moss, too.
-        auto green = static_cast<float>(0.6 * forest.moss);
+        constexpr double kMossSeen = 0.6;  // share
+        auto green = static_cast<float>(kMossSeen * forest.moss);
         Sky sky = forest_sky(setup);
         Daylight light =
             daylight(sky, forest.litter, glm::mix(linear(forest.litter), linear(forest.green), green),
                      setup.block<Meadow>().haze);
+        // Below crowns air is darker than in the open: by eye.
         light.fog = 0.74f * (0.92f * sky.horizon * linear(forest.air) + 0.07f * sky.zenith);
         light.mist = 0.8f * sky.horizon + 0.06f * sky.zenith;
         return light;
@@ -232,6 +244,7 @@ SettingRow forest_setting() {
 }
 
 double leaf_share(double year) {
+  // Leaves unfold from mid-April to mid-May and fall in October and November.
   static const Curve kLeaves({{0.29, 0}, {0.38, 1}, {0.76, 1}, {0.9, 0}});
   return kLeaves(year - std::floor(year));
 }
@@ -239,7 +252,10 @@ double leaf_share(double year) {
 namespace {
 
 /// Share of the light that crowns take at a time of the year, against summer.
-double canopy(double year) { return std::lerp(0.15, 1.0, leaf_share(year)); }
+double canopy(double year) {
+  constexpr double kBareCrown = 0.15;  // branches alone
+  return std::lerp(kBareCrown, 1.0, leaf_share(year));
+}
 
 }  // namespace
 

@@ -17,6 +17,10 @@ constexpr double kRadius = 150;            // metres, at least
 constexpr double kEven = 600;              // metres to which what is near is as fine as without a far camera
 constexpr double kBeyond = 50;             // metres from what stands farthest out to the edge, at least
 constexpr double kMostBlades = 1'000'000;  // in all shapes of patches of one mixture
+constexpr int kPatchBlades = 5;            // side of a patch of grass by the length of a blade
+constexpr double kDraftBlades = 0.6;       // share of the blades in a draft
+constexpr int kPatchStones = 10;           // side of a patch of stones by their size
+constexpr double kNoEdge = 1e6;            // metres, where there is no such edge
 
 /// The size of the squares that a piece of ground is covered with: halved up to `kHalvings` times where an
 /// edge runs through.
@@ -49,7 +53,8 @@ struct Paving {
   }
 
   void lay(Vec2 at, double side, int halved, Seed own) {
-    double away = edge(at), reach = 0.71 * side;
+    constexpr double kHalfDiagonal = 0.71;
+    double away = edge(at), reach = kHalfDiagonal * side;
     if (away > reach) return;
     if ((away > -reach || is_mixed(at, side)) && halved < kHalvings) {
       float quarter = static_cast<float>(side / 4);
@@ -72,6 +77,7 @@ struct Paving {
 }  // namespace
 
 Color grass_at(const Color& summer, double year) {
+  // The share of straw by the time of the year: by eye.
   static const Curve kDry({{-0.1, 0.45},
                            {0.1, 0.7},
                            {0.22, 0.5},
@@ -88,8 +94,9 @@ Color grass_at(const Color& summer, double year) {
 Errors check_grass(const LawnShape& meadow) {
   Errors list;
   if (meadow.blade <= 0 || meadow.blades <= 0) return list;
-  double side = 5 * meadow.blade, patches = kPi * std::pow(meadow.extent / side, 2);
-  double blades = 4 * meadow.blades * std::pow(1.12 * side, 2);
+  constexpr double kBlended = 1.12;  // side of what a patch covers, with its edges that blend into the next
+  double side = kPatchBlades * meadow.blade, patches = kPi * std::pow(meadow.extent / side, 2);
+  double blades = kTurfShapes * meadow.blades * std::pow(kBlended * side, 2);
   if (patches > kMostPatches)
     list.push_back(
         {"/meadow/blade",
@@ -107,14 +114,19 @@ Errors check_grass(const LawnShape& meadow) {
 
 void estimate_grass(const LawnShape& shape, const Film& film, GroundSizeEstimate& ground) {
   if (shape.blade <= 0 || shape.blades <= 0) return;
-  double side = 5 * shape.blade, thin = film.quality == Quality::draft ? 0.6 : 1;
-  ground.grass += 12 * kTurfMixtures * kTurfShapes * 1.25 * side * side * shape.blades * thin;
+  constexpr int kBladeTriangles = 12;    // on the average: a blade has 5, flowers have more
+  constexpr double kBlendedArea = 1.25;  // of what a patch covers, by that of its square
+  double side = kPatchBlades * shape.blade, thin = film.quality == Quality::draft ? kDraftBlades : 1;
+  ground.grass +=
+      kBladeTriangles * kTurfMixtures * kTurfShapes * kBlendedArea * side * side * shape.blades * thin;
   ground.placed += kPi * std::pow(shape.extent / side + 0.5, 2);
 }
 
 namespace {
 
 double radius_for(double reach) { return std::max(kRadius, reach + kBeyond); }
+
+constexpr int kMeadowRings = 110, kPlotRings = 150;  // a plot's ground has edges
 
 /// The mesh of the lawn, `rings` of it where it is as small as can be.
 GroundDisc disc_for(double radius, int rings) { return GroundDisc{kRadius, rings}.reaching(radius, kEven); }
@@ -140,7 +152,7 @@ Surface water_of(const PondShape& pond) {
 Lawn::Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double reach, Seed seed)
     : shape_(shape), quality_(quality), radius_(radius_for(reach)), seed_(seed) {
   lay(ground_surface(Ground{seed.child("ground"), floor.relief, floor.scale}, Vec2(0),
-                     disc_for(radius_, 110)));
+                     disc_for(radius_, kMeadowRings)));
 }
 
 Lawn::Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double reach, Plot plot, int lilies,
@@ -156,10 +168,12 @@ Lawn::Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double r
       seed_(seed) {
   Ground dunes{seed.child("ground"), floor.relief, floor.scale};
   auto height = [&](Vec2 at) {
-    double lawn = ground_height(dunes, at.x, at.y) * (1 - smooth_step(0.6, 1.0, glm::length(at) / radius_));
+    constexpr double kHilly = 0.6;  // share of the radius; from there on the ground becomes level
+    double lawn =
+        ground_height(dunes, at.x, at.y) * (1 - smooth_step(kHilly, 1.0, glm::length(at) / radius_));
     return plot_.height(at, lawn);
   };
-  lay(ground_surface(height, Vec2(0), disc_for(radius_, 150)));
+  lay(ground_surface(height, Vec2(0), disc_for(radius_, kPlotRings)));
   if (plot_.has_pond()) water_ = water_of(plot_.pond());
 }
 
@@ -174,7 +188,7 @@ namespace {
 /// What grows in one of the mixtures: some kinds gather there, others keep away, and on the whole there is as
 /// much of each as was asked for.
 std::vector<Sward> mixture(std::vector<Sward> plants, int which, const Seed& seed) {
-  constexpr double kGathered = 1.1;
+  constexpr double kGathered = 1.1;  // how unlike mixtures are, 0 alike: by eye
   for (std::size_t i = 0; i < plants.size(); ++i) {
     double all = 0, here = 0;
     for (int k = 0; k < kTurfMixtures; ++k) {
@@ -193,34 +207,39 @@ std::vector<Sward> mixture(std::vector<Sward> plants, int which, const Seed& see
 /// Covers the middle with patches of grass.
 void Lawn::sow(Seed seed) {
   if (shape_.blade <= 0 || shape_.blades <= 0) return;
-  double thin = quality_ == Quality::draft ? 0.6 : 1.0, side = 5 * shape_.blade;
+  // How far a patch blends into the next, by its side: whole ones, and smaller ones at edges.
+  constexpr double kBlend = 0.4, kBlendAtEdges = 0.12;
+  double thin = quality_ == Quality::draft ? kDraftBlades : 1.0, side = kPatchBlades * shape_.blade;
   bool whole = !plot_.has_pond() && !plot_.has_path() && !plot_.has_earth() && shape_.map.empty();
   int sizes = whole ? 1 : kHalvings + 1;
   for (int i = 0; i < kTurfShapes * kTurfMixtures * sizes; ++i) {
     int which = i / kTurfShapes % kTurfMixtures;
     int halved = i / (kTurfShapes * kTurfMixtures);
     double own_side = side / (1 << halved);
-    TurfShape shape{own_side,
-                    (halved ? 0.12 : 0.4) * own_side,
-                    shape_.blade,
-                    kCover * shape_.blades * thin,
-                    shape_.flowers / thin,
-                    mixture(shape_.plants, which, seed.child("mixture")),
-                    which == kTurfMixtures - 1};
+    TurfShape shape{.side = own_side,
+                    .blend = (halved ? kBlendAtEdges : kBlend) * own_side,
+                    .blade = shape_.blade,
+                    .density = kCover * shape_.blades * thin,
+                    .flowers = shape_.flowers / thin,
+                    .sward = mixture(shape_.plants, which, seed.child("mixture")),
+                    .thin = which == kTurfMixtures - 1};
     turf.push_back(turf_surface(shape, seed.child("shape").child(static_cast<std::uint64_t>(i))));
   }
-  // Kinds gather in wide spots, with ragged rims.
+  // Kinds gather in wide spots, with ragged rims: by eye.
+  constexpr float kSpotPatches = 6;                     // patches from spot to spot
+  constexpr double kRagged = 0.35, kMiddleSpots = 0.2;  // of values from -1 to 1
   Vec3 shift(static_cast<float>(seed.child("gathering").range(0, 1000)), 0, 0);
   auto mixture_at = [&](Vec2 at, const Seed& own) {
     if (own.child(6).unit() < shape_.bare) return kTurfMixtures - 1;
-    double spot = fractal_noise(Vec3(at.x, 0, at.y) / (6 * static_cast<float>(side)) + shift, 2) +
-                  own.child(7).range(-0.35, 0.35);
-    return spot < -0.2 ? 0 : spot < 0.2 ? 1 : 2;
+    double spot = fractal_noise(Vec3(at.x, 0, at.y) / (kSpotPatches * static_cast<float>(side)) + shift, 2) +
+                  own.child(7).range(-kRagged, kRagged);
+    return spot < -kMiddleSpots ? 0 : spot < kMiddleSpots ? 1 : 2;
   };
+  constexpr double kToWater = 0.02;  // metres
   auto edge = [&](Vec2 at) {
-    double path = plot_.has_path() ? plot_.path_distance(at) : 1e6;
-    double bed = plot_.has_earth() ? plot_.earth_distance(at) : 1e6;
-    return std::max({-path, -bed, 0.02 - plot_.pond_distance(at)});
+    double path = plot_.has_path() ? plot_.path_distance(at) : kNoEdge;
+    double bed = plot_.has_earth() ? plot_.earth_distance(at) : kNoEdge;
+    return std::max({-path, -bed, kToWater - plot_.pond_distance(at)});
   };
   Paving paving{heights(), seed, edge, turf_patches, kTurfMixtures, mixture_at, &shape_.map};
   int reach = static_cast<int>(std::ceil(shape_.extent / side));
@@ -237,11 +256,14 @@ void Lawn::sow(Seed seed) {
 
 namespace {
 
+constexpr double kDryStones = 0.1;  // metres from stones and clods to the water
+
 /// Patches of stones of about `stone` metres, in all sizes of squares.
 std::vector<Surface> stone_patches(double stone, Seed seed) {
+  constexpr double kOverlap = 1.06;  // side of what the stones cover by that of the square
   std::vector<Surface> shapes;
   for (int i = 0; i < kTurfShapes * (kHalvings + 1); ++i)
-    shapes.push_back(gravel_surface(1.06 * 10 * stone / (1 << i / kTurfShapes), stone,
+    shapes.push_back(gravel_surface(kOverlap * kPatchStones * stone / (1 << i / kTurfShapes), stone,
                                     seed.child("shape").child(static_cast<std::uint64_t>(i))));
   return shapes;
 }
@@ -275,8 +297,10 @@ void Lawn::lay_gravel(Seed seed) {
   std::vector<Vec2> points = corners_of(plot_, GroundArea::Kind::gravel);
   points.insert(points.end(), plot_.path().begin(), plot_.path().end());
   // A path that leads across the pond, over a bridge, ends at the shores.
-  auto edge = [&](Vec2 at) { return std::max(plot_.path_distance(at), 0.1 - plot_.pond_distance(at)); };
-  pave({heights(), seed, edge, gravel_patches}, points, path_width_, 10 * stone_);
+  auto edge = [&](Vec2 at) {
+    return std::max(plot_.path_distance(at), kDryStones - plot_.pond_distance(at));
+  };
+  pave({heights(), seed, edge, gravel_patches}, points, path_width_, kPatchStones * stone_);
 }
 
 /// Covers the beds with clods, where no path leads across.
@@ -284,9 +308,11 @@ void Lawn::lay_earth(Seed seed) {
   if (!plot_.has_earth()) return;
   earth = stone_patches(kClod, seed);
   auto edge = [&](Vec2 at) {
-    return std::max({plot_.earth_distance(at), -plot_.path_distance(at), 0.1 - plot_.pond_distance(at)});
+    return std::max(
+        {plot_.earth_distance(at), -plot_.path_distance(at), kDryStones - plot_.pond_distance(at)});
   };
-  pave({heights(), seed, edge, earth_patches}, corners_of(plot_, GroundArea::Kind::earth), kClod, 10 * kClod);
+  pave({heights(), seed, edge, earth_patches}, corners_of(plot_, GroundArea::Kind::earth), kClod,
+       kPatchStones * kClod);
 }
 
 Mask Lawn::map() const {

@@ -33,8 +33,10 @@ constexpr double kFloorRadius = 32;  // metres, at least: as far as the water le
 constexpr double kEvenFloor = 512;   // metres to which what is near is as fine as without a far camera
 constexpr double kFloorBeyond = 4;   // metres from what stands farthest out to the edge, at least
 constexpr double kSownSize = 44;     // metres, a square within that
+constexpr int kFloorRings = 60;      // of the floor's mesh, at its least radius
+constexpr float kStoneSunk = 0.35f, kRockSunk = 0.3f;  // share of the height that is in the ground
 
-/// The water brightens toward the surface.
+/// The water brightens toward the surface: by eye.
 std::vector<BackdropStop> water_backdrop(Vec3 fog, Vec3 near) {
   return {{0, fog},
           {0.06, 1.15f * near},
@@ -46,10 +48,11 @@ std::vector<BackdropStop> water_backdrop(Vec3 fog, Vec3 near) {
 
 /// The water scatters: from above most, from all sides, a little from below.
 Daylight water_light(const Water& water) {
-  // What so much clear ocean water leaves of the light, as a share (Kd of Jerlov's type IB at 620, 540 and
-  // 460 nm).
-  Vec3 left = glm::exp(-static_cast<float>(water.depth) * Vec3(0.30f, 0.072f, 0.041f));
+  // Kd of clear ocean water, Jerlov's type IB, at 620, 540 and 460 nm: what a metre takes of the light.
+  constexpr Vec3 kTaken(0.30f, 0.072f, 0.041f);
+  Vec3 left = glm::exp(-static_cast<float>(water.depth) * kTaken);
   Vec3 near = linear(water.near), tint = near / std::max({near.x, near.y, near.z});
+  // All shares from here on are by eye.
   constexpr Vec3 kSurface = 2.25f * Vec3(1.00f, 0.98f, 0.88f);
   Daylight light{.sun = glm::normalize(water.sun), .sunlight = kSurface * left, .soft = true};
   light.brightest = kSurface.r;
@@ -78,7 +81,7 @@ SeaFloor::SeaFloor(const Floor& floor, Quality quality, double reach, Seed seed)
     : loose_(floor), seed_(seed) {
   double radius = std::max(kFloorRadius, reach + kFloorBeyond);
   lay(ground_surface(Ground{seed.child("ground"), floor.relief, floor.scale}, Vec2(0),
-                     GroundDisc{kFloorRadius, 60}.reaching(radius, kEvenFloor)));
+                     GroundDisc{kFloorRadius, kFloorRings}.reaching(radius, kEvenFloor)));
   for (int i = 0; i < kStoneShapes; ++i) {
     Seed own = seed.child("stone shape", static_cast<std::uint64_t>(i));
     shapes_.push_back({own, own.child("roughness").range(0.3, 0.6), own.child("flatness").range(0.2, 0.45)});
@@ -103,18 +106,19 @@ float SeaFloor::lay_stone(Vec2 at, float width, float sunk, Seed seed) {
 }
 
 void SeaFloor::strew(TakenSpots& taken) {
+  constexpr double kFew = 4;  // power of the size: the higher, the fewer are large
   for (int i = 0; i < loose_.stones; ++i) {
     Seed seed = seed_.child("stone", static_cast<std::uint64_t>(i));
     // Many small ones, few large ones.
-    double width = loose_.stone_size * (0.12 + 0.88 * std::pow(seed.child("width").unit(), 4.0));
+    double width = loose_.stone_size * (0.12 + 0.88 * std::pow(seed.child("width").unit(), kFew));
     auto spots =
         scatter(Vec2(0), 0, loose_.extent, static_cast<float>(width / 2), 1, taken, seed.child("scatter"));
-    for (const Spot& spot : spots) lay_stone(spot.at, static_cast<float>(width), 0.35f, seed);
+    for (const Spot& spot : spots) lay_stone(spot.at, static_cast<float>(width), kStoneSunk, seed);
   }
 }
 
 float SeaFloor::seat(Vec2 at, double rock, Seed seed) {
-  return rock > 0 ? lay_stone(at, static_cast<float>(rock), 0.3f, seed.child("rock")) : height(at);
+  return rock > 0 ? lay_stone(at, static_cast<float>(rock), kRockSunk, seed.child("rock")) : height(at);
 }
 
 std::vector<ScatteredInstances> SeaFloor::strewn() const {
@@ -143,9 +147,13 @@ SettingRow underwater_setting() {
       [](const SceneSetup&) { return Extent{.sown = kSownSize, .rocks = true}; },
       [](const SceneSetup&, const Film&) { return Errors{}; },
       [](const SceneSetup& setup, const Film& film) {
+        constexpr double kFloor = 14'280;  // triangles
+        constexpr double kPlacedAStone = 1.6;
+        // Triangles of all kStoneShapes, by stone_detail().
         double stones = film.quality == Quality::best ? 102'400 : 25'600;
         double caustics = setup.block<Water>().caustics > 0 ? caustic_pixels(film.quality) : 0;
-        return GroundSizeEstimate{14'280 + stones, 0, 1.6 * setup.floor.stones, caustics * caustics};
+        return GroundSizeEstimate{kFloor + stones, 0, kPlacedAStone * setup.floor.stones,
+                                  caustics * caustics};
       },
       [](const SceneSetup& setup, const Film& film, double reach, Seed seed) -> std::unique_ptr<Grounds> {
         return std::make_unique<SeaFloor>(setup.floor, film.quality, reach, seed);

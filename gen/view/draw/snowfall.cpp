@@ -30,8 +30,10 @@ double melted_within(double size) { return melted_diameter(1000 * size / std::sq
 
 /// Pixels from which on flakes are drawn, so that about kMostFlakes of the heaviest snowfall are.
 double least_pixels(const Eye& eye, double rate) {
-  for (double least = kShowFlake;; least *= 1.1) {
+  constexpr double kNext = 1.1;  // factor from one try to the next
+  for (double least = kShowFlake;; least *= kNext) {
     double count = 0;
+    // In shells of a metre.
     for (double away = 0.5; away < kFarFlake; ++away)
       count += 4 * eye.broad * eye.tall * away * away *
                flakes_larger(rate, melted_within(least * eye.pixel * away));
@@ -81,7 +83,8 @@ struct Flurry {
   void flakes(glm::ivec3 cube, std::size_t size, const Way& way, std::vector<Streak>& into) const {
     Vec3 center = Vec3(cube) + 0.5f + way.gone;
     double away = glm::distance(center, eye.at);
-    if (away > kFarFlake || !in_view(eye, center, 1.2)) return;
+    constexpr double kCube = 1.2;  // metres round its middle, with the way that flakes swing
+    if (away > kFarFlake || !in_view(eye, center, kCube)) return;
     double smallest = std::max(kSizes[size], melted_within(least * eye.pixel * std::max(0.0, away - 1)));
     double from = flakes_larger(most, kSizes[size]), to = flakes_larger(most, kSizes[size + 1]);
     glm::ivec3 own = first_of(cube, way.period);
@@ -100,16 +103,21 @@ struct Flurry {
     if (falls <= 0) return;
     Vec3 at = Vec3(cube) + Vec3(lot(0), lot(1), lot(2)) + way.gone;
     // It swings as it falls, by its own width and more.
-    double turn = 2 * kPi * looping_rate(own.child(4).range(0.3, 1.1), film_length);
+    constexpr double kSlow = 0.3, kQuick = 1.1;                // swings a second
+    constexpr float kTurn = 6.2832f;                           // radians
+    constexpr float kLeastSwing = 0.01f, kSwingRange = 0.03f;  // metres
+    double turn = 2 * kPi * looping_rate(own.child(4).range(kSlow, kQuick), film_length);
     auto phase = static_cast<float>(turn * time + own.child(5).range(0, 2 * kPi));
-    float swing = 0.01f + 0.03f * lot(6), aside = 6.2832f * lot(7);
+    float swing = kLeastSwing + kSwingRange * lot(6), aside = kTurn * lot(7);
     Vec3 sway(std::cos(aside), 0, std::sin(aside));
     at += swing * std::sin(phase) * sway;
     Vec3 drift = way.velocity + static_cast<float>(wind.gust(middle, time)) * level(way.velocity);
     double away = glm::distance(at, eye.at), size = drawn_size(melted);
-    double fade = std::min(1.0, 10 * falls) * smooth_step(kNearFlake, 2 * kNearFlake, away) *
-                  smooth_step(0.0, 0.2 * kFarFlake, kFarFlake - away) *
-                  smooth_step(least, 1.5 * least, size / (eye.pixel * away));
+    // It fades in: as it comes to snow harder, near the camera, far away, and where it is small.
+    constexpr double kSudden = 10, kFarFade = 0.2, kSmallFade = 1.5;
+    double fade = std::min(1.0, kSudden * falls) * smooth_step(kNearFlake, 2 * kNearFlake, away) *
+                  smooth_step(0.0, kFarFade * kFarFlake, kFarFlake - away) *
+                  smooth_step(least, kSmallFade * least, size / (eye.pixel * away));
     if (fade <= 0 || is_sheltered(at, drift)) return;
     add(at, drift + static_cast<float>(turn) * swing * std::cos(phase) * sway, size, fade, into);
   }
@@ -125,14 +133,16 @@ struct Flurry {
   void add(Vec3 at, Vec3 velocity, double size, double cover, std::vector<Streak>& into) const {
     double away = std::max<double>(glm::distance(at, eye.at), kNearFlake);
     double blur = kLens * std::abs(away - focus) / focus;
-    double width = std::hypot(size, blur, 0.7 * eye.pixel * away);
+    constexpr double kSharpest = 0.7;                         // pixels, or it would flicker
+    constexpr double kMostCover = 0.95, kLeastCover = 0.004;  // what is drawn of a disc
+    double width = std::hypot(size, blur, kSharpest * eye.pixel * away);
     Vec3 along = direction_or(velocity, Vec3(0, -1, 0));
     double length = width + open * static_cast<double>(glm::length(velocity));
     if (!in_view(eye, at, length)) return;
     constexpr double kPeak = 2;  // a spot that fades to its rim is so much clearer in its middle
     Vec3 half = static_cast<float>(length / 2) * along;
-    double share = std::min(0.95, kPeak * cover * size * size / (width * length));
-    if (share > 0.004)
+    double share = std::min(kMostCover, kPeak * cover * size * size / (width * length));
+    if (share > kLeastCover)
       into.push_back({at - half, at + half, static_cast<float>(width), static_cast<float>(share)});
   }
 };
@@ -188,10 +198,14 @@ class Powder {
       if (bones.parent[i] != Skeleton::kRoot)
         wood += static_cast<double>(
             glm::distance(bones.position[i], bones.position[static_cast<std::size_t>(bones.parent[i])]));
-    auto puffs = static_cast<std::uint64_t>(std::clamp(16 * wood, 4.0, 60.0)), clumps = 4 * puffs;
+    constexpr double kPuffsAMetre = 16, kLeastPuffs = 4, kMostPuffs = 60;
+    constexpr std::uint64_t kClumpsAPuff = 4;
+    constexpr double kTakes = 0.4;  // seconds in which all of it comes loose, as of SnowLoad
+    auto puffs = static_cast<std::uint64_t>(std::clamp(kPuffsAMetre * wood, kLeastPuffs, kMostPuffs)),
+         clumps = kClumpsAPuff * puffs;
     for (std::uint64_t i = 0; i < puffs + clumps; ++i) {
       Seed own = seed.child(i);
-      double since = flurry_.time - dropped - own.child(0).range(0, 0.4);
+      double since = flurry_.time - dropped - own.child(0).range(0, kTakes);
       if (since <= 0) continue;
       Vec3 from = bones.position[nodes[static_cast<std::size_t>(own.child(1).unit() *
                                                                 static_cast<double>(nodes.size()))]];
@@ -201,13 +215,20 @@ class Powder {
 
  private:
   void add(Vec3 from, double since, bool puff, const Seed& own) {
-    double life = puff ? own.child(2).range(1.2, 2.6) : 2.5;
+    // By eye: seconds and metres.
+    constexpr double kClumpLife = 2.5;
+    constexpr float kPuffSpread = 0.16f, kClumpSpread = 0.1f;  // a second
+    constexpr double kPuffSize = 0.05, kWidens = 0.22;         // a second
+    constexpr double kPuffCover = 0.16, kClumpCover = 0.8;     // of its disc
+    constexpr double kComes = 0.1, kFades = 0.3;               // the latter a share of a clump's life
+    constexpr double kFreeFall = 9.81;                         // m/s2
+    double life = puff ? own.child(2).range(1.2, 2.6) : kClumpLife;
     if (since >= life) return;
     // It falls freely at first, and ever less faster, up to a speed at which the air holds it.
     double held = puff ? own.child(3).range(0.5, 1.3) : own.child(3).range(1.5, 4);
-    double lag = held / 9.81, eased = since - lag * (1 - std::exp(-since / lag));
+    double lag = held / kFreeFall, eased = since - lag * (1 - std::exp(-since / lag));
     auto aside = [&](std::uint64_t k) { return static_cast<float>(own.child(k).normal()); };
-    Vec3 spread = (puff ? 0.16f : 0.1f) * Vec3(aside(4), 0.5f * aside(5), aside(6));
+    Vec3 spread = (puff ? kPuffSpread : kClumpSpread) * Vec3(aside(4), 0.5f * aside(5), aside(6));
     Vec3 drift = static_cast<float>(kLowWind * flurry_.wind.speed *
                                     (1 + flurry_.wind.gust(from, flurry_.time - since))) *
                  flurry_.wind.along;
@@ -215,12 +236,12 @@ class Powder {
         from + static_cast<float>(since) * spread + static_cast<float>(eased) * (drift - Vec3(0, held, 0));
     Vec3 velocity = static_cast<float>(1 - std::exp(-since / lag)) * (drift - Vec3(0, held, 0));
     if (flurry_.is_sheltered(at, velocity)) return;
-    double left = 1 - since / life, begun = smooth_step(0.0, 0.1, since);
+    double left = 1 - since / life, begun = smooth_step(0.0, kComes, since);
     if (puff)
-      flurry_.add(at, velocity, 0.05 + 0.22 * since, 0.16 * begun * left * left, into_);
+      flurry_.add(at, velocity, kPuffSize + kWidens * since, kPuffCover * begun * left * left, into_);
     else
-      flurry_.add(at, velocity, own.child(7).range(0.003, 0.014), 0.8 * begun * smooth_step(0.0, 0.3, left),
-                  into_);
+      flurry_.add(at, velocity, own.child(7).range(0.003, 0.014),
+                  kClumpCover * begun * smooth_step(0.0, kFades, left), into_);
   }
 
   const Flurry& flurry_;
@@ -230,7 +251,8 @@ class Powder {
 }  // namespace
 
 std::vector<Streak> snow_powder(const Scene& scene, double time) {
-  constexpr float kHangs = 3;  // seconds
+  constexpr float kHangs = 3;         // seconds
+  constexpr float kLeastLoad = 0.3f;  // of what a level branch carries, on a node that drops some
   std::vector<Streak> powder;
   for (std::size_t s = 0; s < scene.specimens.size(); ++s) {
     const SnowLoad* load = scene.specimens[s].load.get();
@@ -238,7 +260,7 @@ std::vector<Streak> snow_powder(const Scene& scene, double time) {
     std::map<std::int32_t, std::vector<std::size_t>> falling;  // nodes of boughs
     for (std::size_t i = 0; i < load->bough.size(); ++i)
       if (auto since = static_cast<float>(time) - load->drops[static_cast<std::size_t>(load->bough[i])];
-          since > 0 && since < kHangs && load->share[i] > 0.3f)
+          since > 0 && since < kHangs && load->share[i] > kLeastLoad)
         falling[load->bough[i]].push_back(i);
     if (falling.empty()) continue;
     Flurry flurry = flurry_at(scene, time);

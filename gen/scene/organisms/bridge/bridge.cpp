@@ -18,7 +18,8 @@ constexpr double kPattern = 0.30;  // metres, of the stone's own markings
 /// The colour, lighter or darker and a little warmer or cooler.
 Color toned(const Color& color, double variation, Seed seed) {
   auto brighter = static_cast<float>(1 + variation * seed.child("tone").range(-1, 1));
-  auto warmer = static_cast<float>(1 + 0.35 * variation * seed.child("warmth").range(-1, 1));
+  constexpr double kWarmth = 0.35;  // of the variation in brightness
+  auto warmer = static_cast<float>(1 + kWarmth * variation * seed.child("warmth").range(-1, 1));
   return {std::min(color.red * brighter * warmer, 1.0f), std::min(color.green * brighter, 1.0f),
           std::min(color.blue * brighter / warmer, 1.0f)};
 }
@@ -26,17 +27,23 @@ Color toned(const Color& color, double variation, Seed seed) {
 /// Each piece shows a part of its own of the trunk that it was sawn from: the pith, which is the x axis of
 /// what is drawn, lies beside it.
 void add_timber(Solids& solids, const BridgeParams& params, BridgePiece piece, Seed seed) {
-  double away = seed.child("pith").range(0.03, 0.14), around = seed.child("side").range(0, 2 * kPi);
-  Vec3 shift(static_cast<float>(seed.child("along").range(-20, 20)),
+  constexpr double kNearestPith = 0.03, kFarthestPith = 0.14;  // metres from the middle of the piece
+  constexpr double kAlongTrunk = 20;                           // metres to either side of its middle
+  constexpr double kSecondVaries = 0.6;                        // of the variation
+  constexpr double kWeatherVaries = 0.25;                      // to either side of the weathering
+  double away = seed.child("pith").range(kNearestPith, kFarthestPith),
+         around = seed.child("side").range(0, 2 * kPi);
+  Vec3 shift(static_cast<float>(seed.child("along").range(-kAlongTrunk, kAlongTrunk)),
              static_cast<float>(away * std::sin(around)), static_cast<float>(away * std::cos(around)));
   for (Vec3& p : piece.surface.position) p += shift;
-  Material material{Matter::timber,
-                    toned(params.color.value_or(kCedar), params.variation, seed),
-                    toned(params.second.value_or(kSilver), 0.6 * params.variation, seed.child("second")),
-                    kRing,
-                    std::clamp(params.weathering + 0.25 * seed.child("weather").range(-1, 1), 0.0, 1.0),
-                    params.moss,
-                    params.gloss};
+  Material material{
+      Matter::timber,
+      toned(params.color.value_or(kCedar), params.variation, seed),
+      toned(params.second.value_or(kSilver), kSecondVaries * params.variation, seed.child("second")),
+      kRing,
+      std::clamp(params.weathering + kWeatherVaries * seed.child("weather").range(-1, 1), 0.0, 1.0),
+      params.moss,
+      params.gloss};
   std::uint16_t shape = solids.add_shape({std::move(piece.surface), material});
   solids.place(shape, piece.at - piece.turn * shift, piece.turn);
 }
@@ -49,6 +56,7 @@ Model wooden(const BridgeParams& params, Bridge bridge, Seed seed) {
 }
 
 Model stone(const BridgeParams& params, Bridge bridge, Seed seed) {
+  constexpr double kToneVaries = 0.4;  // of the variation, beside what makes the tones
   // The stones of each tone, and the mortar last.
   std::vector<Surface> bodies(kTones + 1);
   for (std::size_t i = 0; i < bridge.pieces.size(); ++i) {
@@ -65,7 +73,7 @@ Model stone(const BridgeParams& params, Bridge bridge, Seed seed) {
     Color color = params.color.value_or(kSandstone), second = params.second.value_or(kMortar);
     auto brighter = static_cast<float>(1 + params.variation * share);
     Color own = toned({color.red * brighter, color.green * brighter, color.blue * brighter},
-                      0.4 * params.variation, seed.child("tone", tone));
+                      kToneVaries * params.variation, seed.child("tone", tone));
     Material material{mortar ? Matter::bed : Matter::ashlar,
                       mortar ? second : own,
                       second,
@@ -136,10 +144,11 @@ class BridgeGrower final : public Described<BridgeParams, BodyBuilder> {
 
   Review review() const override { return {}; }
   Result<SizeEstimate> estimate_size(Seed) const override {
+    constexpr double kStoneTriangles = 2.2e5, kPieceTriangles = 260;  // of a whole bridge; of a piece of wood
     const BridgeShape& b = params.shape;
     SizeEstimate bridge;
     bridge.blocks = b.length / (b.plank + b.gap) + 4.0 * b.posts * (2 + b.balusters);
-    bridge.triangles = b.style == BridgeStyle::stone ? 2.2e5 : 260 * bridge.blocks;
+    bridge.triangles = b.style == BridgeStyle::stone ? kStoneTriangles : kPieceTriangles * bridge.blocks;
     return bridge;
   }
   Result<Model> grow_alone(Seed seed) const override { return grow_bridge(params, seed); }

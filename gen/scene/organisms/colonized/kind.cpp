@@ -94,11 +94,13 @@ class ColonizedGrower final : public Described<ColonizedParams, LoneGrower> {
     const Colonization& how = params.growth_into;
     const EnvelopeParams& e = params.envelope;
     double room = e.width * e.height * (e.depth > 0 ? e.depth : e.width) / std::pow(how.kill, 3);
-    double nodes = std::min({0.8 * how.attractors, 0.8 * room, static_cast<double>(how.most_nodes)});
+    constexpr double kCount = 0.8;  // of the points, or of those that have room
+    constexpr double kLeafy = 0.5;  // of the length of all branches
+    double nodes = std::min({kCount * how.attractors, kCount * room, static_cast<double>(how.most_nodes)});
     SizeEstimate tree;
     tree.nodes = (nodes + e.base / how.step) * params.smoothing;
     double length = tree.nodes * how.step / params.smoothing;
-    if (params.leaf_reach > 0) tree.organs = tree.parts = 0.5 * length / params.leaf_spacing;
+    if (params.leaf_reach > 0) tree.organs = tree.parts = kLeafy * length / params.leaf_spacing;
     tree.nodes_a_second = kTreeNodesASecond;
     return tree;
   }

@@ -7,11 +7,12 @@
 namespace frond {
 
 Model build_column_model(const ColumnParams& params) {
+  constexpr double kSharp = radians(32.0);  // edges between faces that meet at more stay sharp
   Model model;
   model.hull = column_surface(params.shape);
   Material stone{Matter::limestone, params.stone, toned(params.stone, 0.55, 0.03)};
   stone.scale = 0.25, stone.moss = params.weathering;
-  model.solids.place(model.solids.add_shape({creased(model.hull, radians(32.0)), stone}));
+  model.solids.place(model.solids.add_shape({creased(model.hull, kSharp), stone}));
   return model;
 }
 
@@ -43,7 +44,8 @@ class ColumnGrower final : public Described<ColumnParams, BodyBuilder> {
   Review review() const override { return {}; }
   Result<SizeEstimate> estimate_size(Seed) const override {
     SizeEstimate column;
-    column.triangles = params.shape.broken > 0 ? 23e3 : 39e3;
+    constexpr double kBroken = 23e3, kWhole = 39e3;
+    column.triangles = params.shape.broken > 0 ? kBroken : kWhole;
     return column;
   }
   Result<Model> grow_alone(Seed) const override { return build_column_model(params); }

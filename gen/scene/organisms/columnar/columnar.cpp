@@ -9,11 +9,14 @@
 namespace frond {
 
 Result<Model> grow_columnar(const ColumnarParams& params, const Surroundings& around, Seed seed) {
+  constexpr float kLit = 0.1f, kShaded = 0.5f;      // shade of tips, and of what came to rest
+  constexpr float kAtRest = 0.6f, kYounger = 0.4f;  // of the time of birth that is shown: there; more at tips
   Accreted skin = accrete(params.accretion, accretion_world(around), seed.child("skin"));
   // Young is what has just grown and still grows: the tips, not what came to rest below them.
   for (std::size_t v = 0; v < skin.birth.size(); ++v)
     skin.surface.uv.push_back(
-        {1 - skin.shade[v], skin.birth[v] * (0.6f + 0.4f * (1 - smooth_step(0.1f, 0.5f, skin.shade[v])))});
+        {1 - skin.shade[v],
+         skin.birth[v] * (kAtRest + kYounger * (1 - smooth_step(kLit, kShaded, skin.shade[v])))});
   return model_of(std::move(skin.surface), std::move(skin.past),
                   material_of(params.tissue, Matter::polyps, seed));
 }

@@ -66,12 +66,13 @@ void distort(Skeleton& s, const Distortion& distortion, Seed seed) {
 /// The turtle's width, relative to the one it starts with, counts as a factor.
 void thicken(Skeleton& s, const Thickness& thickness, float start_radius) {
   float longest = std::max(s.longest(), 1e-6f), base = static_cast<float>(thickness.radius);
+  constexpr float kKnobLength = 3, kFootHeight = 2.5f;  // radii: of the branch, of the foot
   float knob = static_cast<float>(thickness.knob), flare = static_cast<float>(thickness.flare);
   for (std::size_t i = 0; i < s.size(); ++i) {
     float left = 1 - s.distance[i] / longest;
     float radius = base * static_cast<float>(thickness.curve(left)) * s.radius[i] / start_radius;
-    radius *= 1 + (knob - 1) * (1 - smooth_step(0.0f, 3.0f * radius, s.to_tip[i]));
-    radius *= 1 + flare * (1 - smooth_step(0.0f, 2.5f * base, s.distance[i]));
+    radius *= 1 + (knob - 1) * (1 - smooth_step(0.0f, kKnobLength * radius, s.to_tip[i]));
+    radius *= 1 + flare * (1 - smooth_step(0.0f, kFootHeight * base, s.distance[i]));
     s.radius[i] = std::max(radius, 1e-4f);
   }
 }

@@ -11,12 +11,19 @@
 namespace frond {
 
 Result<Model> grow_encrusting(const EncrustingParams& params, const Surroundings& around, Seed seed) {
+  constexpr double kClings = 0.2;  // of the width: how far off it finds a hold
+  constexpr double kLumpsALobe = 2.2;
+  constexpr float kFilm = 0.002f;                          // metres to each side, of the youngest
+  constexpr float kGrownAbove = 0.3f, kGrownBelow = 0.2f;  // ages 0..1 of full thickness
+  constexpr float kLipRisen = 0.04f, kLipFalls = 0.06f, kLipGone = 0.22f;  // ages of the raised edge
+  constexpr float kBelow = 0.7f;                                           // of the thickness
+  constexpr double kLineHeight = 0.1;                                      // of it
   Margin law{.reach = params.across / 2,
              .edge = params.edge,
              .lobes = params.lobes,
              .lobe_size = params.lobe_size,
              .clearance = 2 * params.edge};
-  auto within = static_cast<float>(0.2 * params.across);
+  auto within = static_cast<float>(kClings * params.across);
   MarginWorld world;
   world.cling = [&around, within](Vec3& at, Vec3& normal) {
     Surroundings::Hold hold = around.hold(at, within);
@@ -32,15 +39,17 @@ Result<Model> grow_encrusting(const EncrustingParams& params, const Surroundings
   Sheet sheet = grow_margins(law, {start}, world, seed.child("sheet"));
   Vec3 lot(static_cast<float>(seed.child("lumps").range(-99, 99)), 0, 0);
   auto thick = static_cast<float>(params.thickness), raised = static_cast<float>(params.rim);
-  auto lumps = static_cast<float>(params.lumps), often = static_cast<float>(2.2 / params.lobe_size);
+  auto lumps = static_cast<float>(params.lumps), often = static_cast<float>(kLumpsALobe / params.lobe_size);
   SheetSkin skin;
   skin.upper = [&](std::uint32_t v, float age) {
     float uneven = 1 + lumps * static_cast<float>(fractal_noise(sheet.position[v] * often + lot, 3));
-    float lip = smooth_step(0.0f, 0.04f, age) * (1 - smooth_step(0.06f, 0.22f, age));
-    return 0.002f + thick * uneven * smooth_step(0.0f, 0.3f, age) + raised * lip;
+    float lip = smooth_step(0.0f, kLipRisen, age) * (1 - smooth_step(kLipFalls, kLipGone, age));
+    return kFilm + thick * uneven * smooth_step(0.0f, kGrownAbove, age) + raised * lip;
   };
-  skin.lower = [&](std::uint32_t, float age) { return 0.002f + 0.7f * thick * smooth_step(0.0f, 0.2f, age); };
-  skin.lines = 0.1 * params.thickness;
+  skin.lower = [&](std::uint32_t, float age) {
+    return kFilm + kBelow * thick * smooth_step(0.0f, kGrownBelow, age);
+  };
+  skin.lines = kLineHeight * params.thickness;
   return model_of(body_of(sheet, skin), material_of(params.tissue, Matter::polyps, seed));
 }
 

@@ -20,27 +20,35 @@ struct FanNet {
 };
 
 bool is_in_outline(const FanParams& params, Vec2 p, Vec3 lot) {
+  constexpr float kMiddle = 0.54f, kHalfHeight = 0.46f;  // of an ellipse, as shares of the height
+  constexpr float kNarrow = 1.12f, kWidens = 0.22f;      // at the middle, and from there up
+  constexpr float kBroadRough = 0.30f, kFineRough = 0.16f, kCleftDepth = 0.5f;  // for `ragged` 1
+  constexpr float kCleftsMeet = 0.1f;  // of the height, below the foot
   auto half = static_cast<float>(params.across / 2), high = static_cast<float>(params.height);
-  float x = p.x / half, y = (p.y - 0.54f * high) / (0.46f * high);
+  float x = p.x / half, y = (p.y - kMiddle * high) / (kHalfHeight * high);
   // Wider above than below, as a fan.
-  x *= 1.12f - 0.22f * y;
+  x *= kNarrow - kWidens * y;
   Vec3 sample(4 * x, 4 * y, 0);
-  float rough = static_cast<float>(params.ragged) * (0.30f * static_cast<float>(noise(sample * 0.35f + lot)) +
-                                                     0.16f * static_cast<float>(noise(sample + lot)));
+  float rough =
+      static_cast<float>(params.ragged) * (kBroadRough * static_cast<float>(noise(sample * 0.35f + lot)) +
+                                           kFineRough * static_cast<float>(noise(sample + lot)));
   // Clefts run toward the foot.
-  float angle = std::atan2(p.x, p.y + 0.1f * high);
+  float angle = std::atan2(p.x, p.y + kCleftsMeet * high);
   float cleft = static_cast<float>(noise(Vec3(7 * angle, 0.6f * y, 3) + lot));
-  rough -=
-      static_cast<float>(params.ragged) * 0.5f * smooth_step(0.45f, 0.8f, cleft) * smooth_step(0.2f, 0.9f, y);
+  rough -= static_cast<float>(params.ragged) * kCleftDepth * smooth_step(0.45f, 0.8f, cleft) *
+           smooth_step(0.2f, 0.9f, y);
   return x * x + y * y < (1 + rough) * (1 + rough);
 }
 
 FanNet weave(const FanParams& params, Seed seed) {
+  constexpr float kRowHeight = 0.866f;                          // of triangles with sides of 1
+  constexpr double kOutlineWidth = 0.75, kOutlineHeight = 1.2;  // woven to each side, and upward
+  constexpr double kShake = 0.42;                               // of the mesh
   FanNet net;
-  auto mesh = static_cast<float>(params.mesh), step = mesh * 0.866f;
+  auto mesh = static_cast<float>(params.mesh), step = mesh * kRowHeight;
   Vec3 lot(static_cast<float>(seed.child("outline").range(-99, 99)), 0, 0);
-  int wide = static_cast<int>(0.75 * params.across / params.mesh) + 2;
-  int rows = static_cast<int>(1.2 * params.height / step) + 2, count = 2 * wide + 1;
+  int wide = static_cast<int>(kOutlineWidth * params.across / params.mesh) + 2;
+  int rows = static_cast<int>(kOutlineHeight * params.height / step) + 2, count = 2 * wide + 1;
   std::vector<std::uint32_t> number(static_cast<std::size_t>(rows * count), kNoPlace);
   Seed shake = seed.child("shake");
   float best = 1e9f;
@@ -50,8 +58,8 @@ FanNet weave(const FanParams& params, Seed seed) {
              static_cast<float>(j) * step);
       if (!is_in_outline(params, p, lot)) continue;
       Seed own = shake.child(static_cast<std::uint64_t>(j * count + i));
-      p += Vec2(static_cast<float>(own.child(0).range(-0.42, 0.42)),
-                static_cast<float>(own.child(1).range(-0.42, 0.42))) *
+      p += Vec2(static_cast<float>(own.child(0).range(-kShake, kShake)),
+                static_cast<float>(own.child(1).range(-kShake, kShake))) *
            mesh;
       if (float d = glm::length(p); d < best)
         best = d, net.foot = static_cast<std::uint32_t>(net.place.size());
@@ -79,6 +87,7 @@ struct FanPaths {
 };
 
 FanPaths find_paths(const FanNet& net, Seed seed) {
+  constexpr double kShortest = 0.8, kLongest = 1.3;  // weights of edges, in their lengths
   FanPaths paths{
       std::vector<float>(net.place.size(), 1e9f), std::vector<std::uint32_t>(net.place.size(), kNoPlace), {}};
   using Entry = std::pair<float, std::uint32_t>;
@@ -94,7 +103,7 @@ FanPaths find_paths(const FanNet& net, Seed seed) {
       if (w == kNoPlace) continue;
       std::uint64_t edge = static_cast<std::uint64_t>(std::min(v, w)) << 32 | std::max(v, w);
       float length = glm::distance(net.place[v], net.place[w]);
-      float to = far + length * static_cast<float>(seed.child(edge).range(0.8, 1.3));
+      float to = far + length * static_cast<float>(seed.child(edge).range(kShortest, kLongest));
       if (to < paths.distance[w]) paths.distance[w] = to, paths.below[w] = v, open.push({to, w});
     }
   }
@@ -136,12 +145,14 @@ template <class Place>
 void link_threads(Skeleton& s, const FanNet& net, const FanPaths& paths,
                   const std::vector<std::int32_t>& node, const Place& place, const FanParams& params,
                   Seed links) {
+  constexpr float kSideBySide = 0.75f;  // of the mesh: how much farther from the foot one may be
   for (std::uint32_t v : paths.order)
     for (std::uint32_t w : net.near[v]) {
       if (w == kNoPlace || paths.below[w] == v || paths.below[v] == w ||
           paths.distance[w] < paths.distance[v])
         continue;
-      if (w == v || paths.distance[w] - paths.distance[v] > 0.75f * static_cast<float>(params.mesh)) continue;
+      if (w == v || paths.distance[w] - paths.distance[v] > kSideBySide * static_cast<float>(params.mesh))
+        continue;
       std::uint64_t edge = static_cast<std::uint64_t>(std::min(v, w)) << 32 | std::max(v, w);
       if (links.child(edge).unit() >= params.links) continue;
       auto depth = static_cast<std::uint16_t>(s.order[static_cast<std::size_t>(node[v])] + 1);
@@ -152,6 +163,9 @@ void link_threads(Skeleton& s, const FanNet& net, const FanPaths& paths,
 }  // namespace
 
 Skeleton grow_fan(const FanParams& params, Seed seed) {
+  // How it bends out of its plane: amplitudes at the top as shares of `curl`, and waves on its height.
+  constexpr float kBroadCurl = 1.5f, kBroadWaves = 1.3f, kFineCurl = 0.12f, kFineWaves = 9;
+  constexpr float kHold = 0.02f, kHoldRadius = 1.5f;  // metres below the ground; in radii of the foot
   FanNet net = weave(params, seed.child("net"));
   FanPaths paths = find_paths(net, seed.child("ways"));
   std::size_t count = net.place.size();
@@ -168,13 +182,13 @@ Skeleton grow_fan(const FanParams& params, Seed seed) {
     Vec2 p = net.place[v];
     Vec3 at(p.x, p.y, 0);
     float out = static_cast<float>(params.curl) * p.y / high;
-    at.z = out * 1.5f * static_cast<float>(noise(at * (1.3f / high) + lot)) +
-           0.12f * out * static_cast<float>(noise(at * (9 / high) + lot));
+    at.z = out * kBroadCurl * static_cast<float>(noise(at * (kBroadWaves / high) + lot)) +
+           kFineCurl * out * static_cast<float>(noise(at * (kFineWaves / high) + lot));
     return at;
   };
   Skeleton s;
   s.reserve(3 * count);
-  std::int32_t root = s.add(Vec3(0, -0.02f, 0), 1.5f * foot, Skeleton::kRoot, 0);
+  std::int32_t root = s.add(Vec3(0, -kHold, 0), kHoldRadius * foot, Skeleton::kRoot, 0);
   std::vector<std::int32_t> node(count, Skeleton::kRoot);
   std::vector<std::vector<std::uint32_t>> sides(count);
   for (std::uint32_t v : paths.order)

@@ -38,8 +38,10 @@ class FanGrower final : public Described<FanParams, ColonyGrower> {
     return {};
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
+    constexpr double kFilled = 0.85;      // of the rectangle round it
+    constexpr double kPlaceArea = 0.866;  // of a place of the net, in squares of the mesh: sqrt(3) / 2
     SizeEstimate sight;
-    double places = 0.85 * params.across * params.height / (0.866 * params.mesh * params.mesh);
+    double places = kFilled * params.across * params.height / (kPlaceArea * params.mesh * params.mesh);
     sight.nodes = places * (1 + params.links);
     sight.riding = true;
     return sight;

@@ -11,11 +11,21 @@ namespace frond {
 
 namespace {
 
-constexpr float kSunk = 0.012f;  // metres that sheets begin below the ground
+constexpr float kSunk = 0.012f;                // metres that sheets begin below the ground
+constexpr double kSheetTurn = radians(137.5);  // from sheet to sheet: the golden angle
+
+/// A measure that is `first` at the outermost or lowest sheet, share 0, and differs by `change` at the
+/// innermost or highest one, share 1.
+struct SheetTrend {
+  double first, change;
+  double at(double share) const { return first + change * share; }
+};
 
 Margin margin_of(const FolioseParams& params) {
+  constexpr double kSlantOut = 0.75;  // of half the width: how far out a whorl's sheets end
+  constexpr double kClearEdges = 2.4, kClearThicknesses = 1.6;  // between sheets, the larger of both
   bool plate = params.form == FolioseForm::plate;
-  double reach = plate ? params.across / 2 : std::hypot(0.75 * params.across / 2, params.height);
+  double reach = plate ? params.across / 2 : std::hypot(kSlantOut * params.across / 2, params.height);
   return {.reach = reach,
           .edge = params.edge,
           .excess = params.excess,
@@ -25,42 +35,52 @@ Margin margin_of(const FolioseParams& params) {
           .light = plate ? 2.0 : 1.2,
           .lobes = params.lobes,
           .lobe_size = 1.2 * params.ruffle,
-          .clearance = std::max(2.4 * params.edge, 1.6 * params.thickness)};
+          .clearance = std::max(kClearEdges * params.edge, kClearThicknesses * params.thickness)};
 }
 
 /// Leaves of a whorl: inner ones begin later and stand steeper.
 std::vector<MarginStart> whorl(const FolioseParams& params, Seed seed) {
+  // By eye, as the numbers of plates.
+  constexpr SheetTrend kFootRadius{0.26, -0.22};                            // of the width
+  constexpr SheetTrend kFootArc{105, 45}, kSlope{35, 45};                   // degrees
+  constexpr double kLatestBegin = 0.25, kReach = 0.95, kMostShorter = 0.3;  // shares of growth
   std::vector<MarginStart> starts;
   double turn = seed.child("turn").range(-kPi, kPi);
   for (int i = 0; i < params.sheets; ++i) {
     double share = params.sheets > 1 ? static_cast<double>(i) / (params.sheets - 1) : 0;  // 0 outermost
     Seed own = seed.child("sheet", static_cast<std::uint64_t>(i));
-    double away = params.across * (0.26 - 0.22 * share);
-    turn += radians(137.5) + own.child("turn").range(-0.3, 0.3);
-    double arc = radians(105.0 + 45.0 * share);
+    double away = params.across * kFootRadius.at(share);
+    turn += kSheetTurn + own.child("turn").range(-0.3, 0.3);
+    double arc = radians(kFootArc.at(share));
     Vec3 middle(0, -kSunk, 0);
-    starts.push_back(ring_start(middle, away, turn, arc, radians(35.0 + 45.0 * share), params.edge));
-    starts.back().begins = 0.25 * share;
-    starts.back().reach = 0.95 - 0.3 * share * own.child("reach").unit() - starts.back().begins;
+    starts.push_back(ring_start(middle, away, turn, arc, radians(kSlope.at(share)), params.edge));
+    starts.back().begins = kLatestBegin * share;
+    starts.back().reach = kReach - kMostShorter * share * own.child("reach").unit() - starts.back().begins;
   }
   return starts;
 }
 
 /// Tiers about a foot: low ones are old and wide.
 std::vector<MarginStart> plates(const FolioseParams& params, Seed seed) {
+  constexpr double kLowestTier = 0.35;            // of the distance from tier to tier
+  constexpr double kHighestTier = 0.92;           // of the height
+  constexpr SheetTrend kFootRadius{0.10, -0.06};  // of the width
+  constexpr double kSlope = 10;                   // degrees
+  constexpr double kLatestBegin = 0.3;            // share of growth
+  constexpr SheetTrend kReach{1, -0.4};           // a factor
   std::vector<MarginStart> starts;
   double turn = seed.child("turn").range(-kPi, kPi);
   for (int i = 0; i < params.sheets; ++i) {
-    double share = (i + 0.35) / params.sheets;
+    double share = (i + kLowestTier) / params.sheets;
     Seed own = seed.child("sheet", static_cast<std::uint64_t>(i));
-    turn += radians(137.5) + own.child("turn").range(-0.5, 0.5);
-    Vec3 middle(0, static_cast<float>(0.92 * params.height * share), 0);
-    double radius = params.across * (0.10 - 0.06 * share);
+    turn += kSheetTurn + own.child("turn").range(-0.5, 0.5);
+    Vec3 middle(0, static_cast<float>(kHighestTier * params.height * share), 0);
+    double radius = params.across * kFootRadius.at(share);
     starts.push_back(ring_start(middle, radius, turn, radians(own.child("arc").range(190, 280)),
-                                radians(10.0), params.edge));
-    starts.back().begins = 0.3 * share;
+                                radians(kSlope), params.edge));
+    starts.back().begins = kLatestBegin * share;
     starts.back().reach =
-        std::min(1 - starts.back().begins, own.child("reach").range(0.6, 0.8) * (1 - 0.4 * share));
+        std::min(1 - starts.back().begins, own.child("reach").range(0.6, 0.8) * kReach.at(share));
   }
   return starts;
 }
@@ -74,15 +94,18 @@ Sheet foliose_sheets(const FolioseParams& params, const Surroundings& around, Se
 }
 
 Result<Model> grow_foliose(const FolioseParams& params, const Surroundings& around, Seed seed) {
+  constexpr double kLineDistance = 0.011;  // metres from growth line to growth line
+  // The stalk of plates: radii of its foot and its top as shares of the width, and its share of the height.
+  constexpr double kStalkFoot = 0.13, kStalkTop = 0.05, kStalkHeight = 0.9;
   Sheet sheet = foliose_sheets(params, around, seed);
   SheetSkin skin;
   skin.upper = skin.lower = half_thickness(params.rim, params.thickness);
   skin.lines = params.lines;
-  skin.line = 0.011;
+  skin.line = kLineDistance;
   SheetBody body = body_of(sheet, skin);
   if (params.form == FolioseForm::plate)
-    append(body,
-           stalk_body(0.13 * params.across, 0.05 * params.across, 0.9 * params.height, seed.child("stalk")));
+    append(body, stalk_body(kStalkFoot * params.across, kStalkTop * params.across,
+                            kStalkHeight * params.height, seed.child("stalk")));
   return model_of(std::move(body), material_of(params.tissue, Matter::polyps, seed));
 }
 

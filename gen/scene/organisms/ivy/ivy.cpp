@@ -82,10 +82,11 @@ std::vector<Start> starts_of(const IvyParams& params, const Support& under, cons
 
 /// Which colour of the bark each node has: the thicker, the older; the last is that of shoots.
 std::vector<std::int32_t> bark_ages(const Skeleton& s, std::size_t colors, double radius) {
+  constexpr double kShoots = 0.6, kOlder = 1.8;  // in radii: the thickest shoots; from there to the oldest
   std::vector<std::int32_t> age(s.size(), 0);
   auto last = static_cast<std::int32_t>(colors) - 1;
   for (std::size_t i = 0; i < s.size() && last > 0; ++i) {
-    double share = std::clamp((s.radius[i] / radius - 0.6) / 1.8, 0.0, 0.999);
+    double share = std::clamp((s.radius[i] / radius - kShoots) / kOlder, 0.0, 0.999);
     age[i] = last - static_cast<std::int32_t>(share * (last + 1));
   }
   return age;

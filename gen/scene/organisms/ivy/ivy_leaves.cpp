@@ -14,11 +14,15 @@ namespace {
 
 constexpr std::array<double, 3> kStalks{0.75, 0.45, 1.15};  // shares of the blade's length
 constexpr std::array<double, 2> kRises{radians(58.0), radians(32.0)};
-constexpr std::uint32_t kPetioles = 6;       // kinds of petiole a shape of leaf has
-constexpr std::uint32_t kTallest = 4;        // the one that holds its blade farthest off
-constexpr std::uint32_t kHeadings = 8;       // directions of the stem that sprigs are made for
-constexpr std::uint32_t kSprigVariants = 3;  // of each
+constexpr double kLeastDroop = 0.12, kDroopStep = 0.035;  // by petiole; shares of the blade's length
+constexpr std::uint32_t kPetioles = 6;                    // kinds of petiole a shape of leaf has
+constexpr std::uint32_t kTallest = 4;                     // the one that holds its blade farthest off
+constexpr std::uint32_t kHeadings = 8;                    // directions of the stem that sprigs are made for
+constexpr std::uint32_t kSprigVariants = 3;               // of each
 constexpr int kSprigLeaves = 6;
+
+// Where tips point, beside 1 straight down: away from the stem, and at random to either side.
+constexpr float kTipAside = 0.65f, kTipScatter = 0.25f;
 
 IvyLeafShape leaf_shape(std::uint32_t form, int detail) {
   IvyLeafShape shape;
@@ -26,7 +30,7 @@ IvyLeafShape leaf_shape(std::uint32_t form, int detail) {
   std::uint32_t petiole = form % kPetioles;
   shape.stalk = kStalks[petiole / 2], shape.rise = kRises[petiole % 2];
   shape.detail = detail;
-  shape.droop = 0.12 + 0.035 * petiole;
+  shape.droop = kLeastDroop + kDroopStep * petiole;
   if (shape.form == IvyForm::heart) shape.wave *= 0.5;
   return shape;
 }
@@ -77,15 +81,25 @@ Vec3 outward(const Plan& plan, std::int32_t node, Vec3 heading, std::uint32_t co
 }
 
 /// Which of the shapes a leaf has: drawn-out ones on runners, hearts on old wood.
-std::uint32_t shape_at(const Plan& plan, const Bud& bud, Seed own) {
+IvyForm shape_at(const Plan& plan, const Bud& bud, Seed own) {
+  constexpr float kOldFrom = 0.55f, kRunner = 0.4f;  // least age, and least youth
+  // Chances, by eye: of arrows on runners; elsewhere of five lobes, on young and the fewer on old wood, and
+  // of five or three.
+  constexpr double kArrows = 0.6, kFives = 0.62, kFewerFives = 0.3, kFivesAndThrees = 0.9;
   double chance = own.child(5).unit();
-  if (bud.age > 0.55f && bud.youth <= 0 && chance < plan.leaves.adult) return 3;
+  if (bud.age > kOldFrom && bud.youth <= 0 && chance < plan.leaves.adult) return IvyForm::heart;
   chance = own.child(6).unit();
-  if (bud.youth > 0.4f) return chance < 0.6 ? 0 : 1;
-  return chance < 0.62 - 0.3 * bud.age ? 1 : chance < 0.9 ? 2 : 0;
+  if (bud.youth > kRunner) return chance < kArrows ? IvyForm::arrow : IvyForm::five;
+  if (chance < kFives - kFewerFives * bud.age) return IvyForm::five;
+  return chance < kFivesAndThrees ? IvyForm::three : IvyForm::arrow;
 }
 
 Bud bud_at(const Plan& plan, std::int32_t node, std::uint32_t count, Seed own) {
+  constexpr float kScatter = 0.16f;                  // of a normal, in each direction
+  constexpr float kOutward = 0.35f;                  // what a normal has of the wall's, at least
+  constexpr float kAhead = 0.2f;                     // of a tip, along the stem
+  constexpr float kHangingOut = 0.35f;               // of a tip on a strand that hangs, away from it
+  constexpr float kTipSize = 0.30f, kGrows = 0.70f;  // of its size: at a tip, and what is added below
   const Skeleton& s = plan.strands.skeleton;
   const IvyLeaves& l = plan.leaves;
   Vec3 heading = heading_at(s, node), normal = outward(plan, node, heading, count);
@@ -99,14 +113,15 @@ Bud bud_at(const Plan& plan, std::int32_t node, std::uint32_t count, Seed own) {
   MosaicSite& site = bud.site;
   site.foot = s.position[node] + 0.5f * s.radius[node] * normal;
   float turn = static_cast<float>(l.turn);
-  Vec3 best = (1 - turn) * normal + turn * plan.light + 0.16f * Vec3(random(0), random(1), random(2));
+  Vec3 best = (1 - turn) * normal + turn * plan.light + kScatter * Vec3(random(0), random(1), random(2));
   // A blade never looks into the wall.
   float away = glm::dot(best, normal);
-  if (away < 0.35f) best += (0.35f - away) * normal;
+  if (away < kOutward) best += (kOutward - away) * normal;
   site.normal = glm::normalize(best);
-  site.tip = Vec3(0, -1, 0) + 0.65f * side * across + 0.2f * heading + 0.25f * random(3) * across +
-             0.35f * normal * static_cast<float>(plan.strands.hanging[node]);
-  float grown = 0.30f + 0.70f * (1 - bud.youth);
+  site.tip = Vec3(0, -1, 0) + kTipAside * side * across + kAhead * heading +
+             kTipScatter * random(3) * across +
+             kHangingOut * normal * static_cast<float>(plan.strands.hanging[node]);
+  float grown = kTipSize + kGrows * (1 - bud.youth);
   site.size = static_cast<float>(l.size) * grown * (1 + static_cast<float>(l.size_variation) * random(4));
   return bud;
 }
@@ -131,7 +146,7 @@ std::vector<Bud> buds_along(const Plan& plan, double step) {
       buds.push_back(bud_at(plan, i, count, own));
       Bud& bud = buds.back();
       bud.id = static_cast<std::uint32_t>(own.bits());
-      bud.site.first = shape_at(plan, bud, own) * kPetioles;
+      bud.site.first = static_cast<std::uint32_t>(shape_at(plan, bud, own)) * kPetioles;
       bud.site.forms = kPetioles;
       bud.site.prefer = static_cast<std::uint32_t>(own.child(9).bits() % kPetioles);
     }
@@ -144,12 +159,13 @@ std::vector<Bud> buds_along(const Plan& plan, double step) {
 void rest_all(const Plan& plan, const std::vector<Feelers>& feelers, float slide, std::vector<Bud>& buds,
               std::vector<LaidLeaf>& laid) {
   constexpr std::size_t kBlock = 64;
+  constexpr float kSmaller = 0.6f;  // of its size, as a last attempt
   std::vector<std::uint8_t> rests(laid.size(), 0);
   auto lay_down = [&](std::size_t i) {
     MosaicSite& site = buds[laid[i].site].site;
     Vec3 out = plan.strands.normal[buds[laid[i].site].node];
     std::uint32_t tallest = site.forms == kPetioles ? site.first + kTallest : laid[i].form;
-    for (auto [form, size] : {std::pair(laid[i].form, 1.0f), {tallest, 1.0f}, {tallest, 0.6f}}) {
+    for (auto [form, size] : {std::pair(laid[i].form, 1.0f), {tallest, 1.0f}, {tallest, kSmaller}}) {
       Rest rest{site.foot, laid[i].turn};
       if (!lie_on(plan.under, feelers[form], size * site.size, slide, out, rest)) continue;
       laid[i].form = form, laid[i].turn = rest.turn;
@@ -188,6 +204,10 @@ struct IvySprig {
 };
 
 IvySprig sprig_of(const std::vector<LeafForm>& forms, const IvyLeaves& l, double heading, Seed seed) {
+  constexpr double kUneven = 0.3;   // of the spacing, along the stem
+  constexpr float kScatter = 0.2f;  // of a normal, to either side
+  constexpr float kToLight = 0.9f;  // how much it leans up for IvyLeaves::turn
+  constexpr double kFives = 0.6;    // share of leaves with five lobes; the others have three
   Vec3 along(static_cast<float>(std::sin(heading)), static_cast<float>(std::cos(heading)), 0);
   Vec3 across(-along.y, along.x, 0);
   std::vector<MosaicSite> sites;
@@ -195,13 +215,14 @@ IvySprig sprig_of(const std::vector<LeafForm>& forms, const IvyLeaves& l, double
     Seed own = seed.child(static_cast<std::uint64_t>(i));
     auto random = [&](std::uint64_t k) { return static_cast<float>(own.child(k).range(-1, 1)); };
     MosaicSite site;
-    double place = (i - 0.5 * (kSprigLeaves - 1) + 0.3 * random(0)) * l.spacing / l.size;
+    double place = (i - 0.5 * (kSprigLeaves - 1) + kUneven * random(0)) * l.spacing / l.size;
     site.foot = along * static_cast<float>(place);
-    site.normal =
-        glm::normalize(Vec3(0.2f * random(1), -0.9f * static_cast<float>(l.turn) + 0.2f * random(2), 1));
-    site.tip = Vec3(0, 1, 0) + (i % 2 ? 0.65f : -0.65f) * across + 0.25f * random(3) * across;
+    site.normal = glm::normalize(
+        Vec3(kScatter * random(1), -kToLight * static_cast<float>(l.turn) + kScatter * random(2), 1));
+    site.tip = Vec3(0, 1, 0) + (i % 2 ? kTipAside : -kTipAside) * across + kTipScatter * random(3) * across;
     site.size = 1 + static_cast<float>(l.size_variation) * random(4);
-    site.first = (own.child(5).unit() < 0.6 ? 1u : 2u) * kPetioles;
+    site.first =
+        static_cast<std::uint32_t>(own.child(5).unit() < kFives ? IvyForm::five : IvyForm::three) * kPetioles;
     site.forms = kPetioles;
     site.prefer = static_cast<std::uint32_t>(own.child(6).bits() % kPetioles);
     sites.push_back(site);
@@ -220,10 +241,12 @@ IvySprig sprig_of(const std::vector<LeafForm>& forms, const IvyLeaves& l, double
   return sprig;
 }
 
-/// Colours of grown leaves, then for each of them that of a fresh one.
+/// Colours of grown leaves, then each of them mixed with that of young ones: of half fresh leaves, and of
+/// fresh ones.
 std::vector<Color> leaf_colors(const IvyLeaves& l) {
+  constexpr float kHalfFresh = 0.45f, kMostlyYoung = 0.85f;  // shares of the young colour
   std::vector<Color> colors = l.colors;
-  for (float share : {0.45f, 0.85f})
+  for (float share : {kHalfFresh, kMostlyYoung})
     for (const Color& c : l.colors)
       colors.push_back({c.red + (l.young.red - c.red) * share, c.green + (l.young.green - c.green) * share,
                         c.blue + (l.young.blue - c.blue) * share});
@@ -231,11 +254,12 @@ std::vector<Color> leaf_colors(const IvyLeaves& l) {
 }
 
 std::int32_t color_of(const IvyLeaves& l, const Bud& bud) {
+  constexpr double kHalfFreshFrom = 0.3, kFreshFrom = 0.7, kEitherWay = 0.2;  // of the bud's youth
   auto count = static_cast<std::uint64_t>(l.colors.size());
   Seed own = Seed{bud.id}.child("color");
   auto which = static_cast<std::int32_t>(own.child(0).bits() % count);
-  double fresh = bud.youth + own.child(1).range(-0.2, 0.2);
-  return which + static_cast<std::int32_t>(count) * (fresh > 0.7 ? 2 : fresh > 0.3 ? 1 : 0);
+  double fresh = bud.youth + own.child(1).range(-kEitherWay, kEitherWay);
+  return which + static_cast<std::int32_t>(count) * (fresh > kFreshFrom ? 2 : fresh > kHalfFreshFrom ? 1 : 0);
 }
 
 void add_prototype(Model& model, const IvyLeaves& l, const char* name, Surface surface) {
@@ -259,18 +283,21 @@ void add_organ(Model& model, const Plan& plan, const Bud& bud, const LaidLeaf& l
 
 std::size_t add_single_leaves(Model& model, const Plan& plan, std::vector<Bud>& buds,
                               const std::vector<LeafForm>& forms, std::vector<LaidLeaf>& laid) {
-  int detail = laid.size() < 6000 ? 2 : 1;
+  constexpr std::size_t kFewLeaves = 6000;               // below that many they are drawn in full detail
+  constexpr float kFeelersApart = 0.09f, kSlide = 0.1f;  // in lengths of the blade
+  constexpr double kSuppleStalk = 0.05;                  // metres; it flutters by 1 (Organs::supple)
+  int detail = laid.size() < kFewLeaves ? 2 : 1;
   std::vector<Feelers> feelers;
   for (std::uint32_t i = 0; i < forms.size(); ++i) {
     Surface leaf = ivy_leaf_surface(leaf_shape(i, detail));
-    feelers.push_back(feelers_of(leaf, 0.09f));
+    feelers.push_back(feelers_of(leaf, kFeelersApart));
     add_prototype(model, plan.leaves, "leaf", std::move(leaf));
   }
-  rest_all(plan, feelers, 0.1f, buds, laid);
+  rest_all(plan, feelers, kSlide, buds, laid);
   for (const LaidLeaf& leaf : laid) {
     const Bud& bud = buds[leaf.site];
     double stalk = leaf_shape(leaf.form, 0).stalk * bud.site.size;
-    add_organ(model, plan, bud, leaf, static_cast<float>(stalk / 0.05));
+    add_organ(model, plan, bud, leaf, static_cast<float>(stalk / kSuppleStalk));
   }
   return laid.size();
 }
@@ -285,13 +312,15 @@ bool may_be_single(const Strands& strands, const IvyLeaves& leaves) {
 }
 
 std::size_t add_sprigs(Model& model, const Plan& plan, const std::vector<LeafForm>& leaf_forms) {
+  constexpr float kFeelersApart = 0.16f, kSlide = 0.6f;  // in lengths of a blade
+  constexpr float kSupple = 0.25f;                       // less than a leaf, as leaves hold each other
   std::vector<LeafForm> forms;
   std::vector<Feelers> feelers;
   for (std::uint32_t h = 0; h < kHeadings; ++h)
     for (std::uint32_t v = 0; v < kSprigVariants; ++v) {
       Seed own = plan.seed.child("sprig", h * kSprigVariants + v);
       IvySprig sprig = sprig_of(leaf_forms, plan.leaves, 2 * kPi * h / kHeadings, own);
-      feelers.push_back(feelers_of(sprig.surface, 0.16f));
+      feelers.push_back(feelers_of(sprig.surface, kFeelersApart));
       add_prototype(model, plan.leaves, "sprig", std::move(sprig.surface));
       forms.push_back(std::move(sprig.form));
     }
@@ -311,10 +340,10 @@ std::size_t add_sprigs(Model& model, const Plan& plan, const std::vector<LeafFor
   MosaicOptions options;
   options.overlap = plan.leaves.overlap, options.swing = radians(20.0), options.turns = 3;
   std::vector<LaidLeaf> laid = lay_leaves(sites_of(buds), forms, options);
-  rest_all(plan, feelers, 0.6f, buds, laid);
+  rest_all(plan, feelers, kSlide, buds, laid);
   std::size_t count = 0;
   for (const LaidLeaf& leaf : laid) {
-    add_organ(model, plan, buds[leaf.site], leaf, 0.25f);
+    add_organ(model, plan, buds[leaf.site], leaf, kSupple);
     count += forms[leaf.form].discs.size();
   }
   return count;

@@ -133,6 +133,10 @@ Feelers feelers_of(const Surface& surface, float apart) {
 }
 
 bool lie_on(const Support& under, const Feelers& feelers, float size, float slide, Vec3 out, Rest& rest) {
+  // What a turn (radians) and a slide (units) count in the least squares, beside units that are too near.
+  constexpr double kTurnCosts = 0.02, kSlideCosts = 0.1, kNoSlide = 1e6;
+  constexpr double kFarther = 1.15;  // than needed, so that few rounds suffice
+  constexpr double kMostTurn = 0.6;  // radians at once
   std::vector<Free> free;
   std::vector<Touch> touches;
   DVec3 off(out);
@@ -145,17 +149,17 @@ bool lie_on(const Support& under, const Feelers& feelers, float size, float slid
     feel();
     if (touches.empty()) return !swallowed(under, free);
     // The least turn and slide that clear all of them at once, in the sense of least squares.
-    glm::dmat4 squares(0.02);
-    squares[3][3] = slid < slide ? 0.1 : 1e6;
+    glm::dmat4 squares(kTurnCosts);
+    squares[3][3] = slid < slide ? kSlideCosts : kNoSlide;
     glm::dvec4 pull(0);
     for (const Touch& t : touches) {
       glm::dvec4 row(glm::cross(t.arm, t.direction), glm::dot(off, t.direction));
       squares += glm::outerProduct(row, row);
       pull += row * t.need;
     }
-    glm::dvec4 move = glm::inverse(squares) * pull * 1.15;
+    glm::dvec4 move = glm::inverse(squares) * pull * kFarther;
     DVec3 turn(move);
-    double angle = std::min(glm::length(turn), 0.6);
+    double angle = std::min(glm::length(turn), kMostTurn);
     if (angle > 1e-9) {
       Quat by = glm::angleAxis(static_cast<float>(angle), Vec3(glm::normalize(turn)));
       rest.turn = glm::normalize(by * rest.turn);

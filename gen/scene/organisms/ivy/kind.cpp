@@ -240,16 +240,18 @@ class IvyGrower final : public Described<IvyParams, BedGrower> {
     if (crawl.mask && !crawl.mask->picture.empty())
       painted = 2 * kMaskPixel * static_cast<double>(crawl.mask->picture.grey->size());
     double steps = length / crawl.speed, branches = crawl.branch_depth > 0 ? length / crawl.branch_every : 0;
+    constexpr double kShapeTriangles = 9000;  // of all shapes of leaves, or of a beetle's
+    constexpr double kStepBytes = 80;         // of a path
     SizeEstimate ivy;
     if (!crawl.trace) {
       ivy.organs = ivy.parts = 1;
-      ivy.shapes = 9000;
-      ivy.held = painted + 80 * steps;
+      ivy.shapes = kShapeTriangles;
+      ivy.held = painted + kStepBytes * steps;
       return ivy;
     }
     ivy.nodes = std::min(steps * (1 + 1.5 * branches), static_cast<double>(crawl.most_nodes));
     ivy.organs = ivy.parts = 0.5 * ivy.nodes * crawl.speed / std::max(params.leaves.spacing, 1e-3);
-    ivy.shapes = 9000;
+    ivy.shapes = kShapeTriangles;
     ivy.riding = true;
     ivy.nodes_a_second = 1.5e4;
     ivy.held = painted;

@@ -9,16 +9,48 @@ namespace frond {
 
 namespace {
 
-constexpr int kGaits = 8;       // shapes of a step
-constexpr double kStep = 0.45;  // of its length that a beetle comes forward in one
+// The beetle, in its own lengths, by eye: it heads for +y, its upper side is +z, and it stands on z = 0.
 
-/// Adds a ball of these half axes about a middle, nothing of it below `lowest`.
-void add_ellipsoid(Surface& to, Vec3 middle, Vec3 half, float lowest) {
+constexpr int kGaits = 8;         // shapes of a step
+constexpr double kStride = 0.45;  // how far it comes forward in one
+
+/// An ellipsoid about a middle, with these half axes; nothing of it is below `lowest`.
+struct BeetlePart {
+  Vec3 middle, half;
+  float lowest;
+};
+
+constexpr BeetlePart kWingCovers{{0, -0.11f, 0.16f}, {0.24f, 0.36f, 0.19f}, 0.10f};
+constexpr BeetlePart kNeckShield{{0, 0.24f, 0.15f}, {0.18f, 0.13f, 0.12f}, 0.09f};
+constexpr BeetlePart kBeetleHead{{0, 0.39f, 0.13f}, {0.11f, 0.10f, 0.08f}, 0.07f};
+constexpr BeetlePart kBeetleBelly{{0, 0.02f, 0.12f}, {0.17f, 0.36f, 0.05f}, 0.07f};
+
+/// A piece of a feeler of its right side.
+struct FeelerPiece {
+  Vec3 from, till;
+  float thick, thin;  // radii at its ends
+};
+
+constexpr FeelerPiece kFeeler[] = {{{0.06f, 0.46f, 0.15f}, {0.15f, 0.56f, 0.20f}, 0.012f, 0.010f},
+                                   {{0.15f, 0.56f, 0.20f}, {0.24f, 0.72f, 0.14f}, 0.012f, 0.006f}};
+
+/// Its legs, three on each side.
+struct BeetleLegs {
+  float hip_aside = 0.12f, hip_up = 0.11f;
+  float first_hip = 0.24f, to_next_hip = 0.2f;      // along the body
+  float first_reach = 0.16f, reach_to_next = 0.2f;  // of a foot before its hip; the next reaches less
+  float foot_aside = 0.46f, foot_up = 0.01f;
+  float knee_aside = 0.06f, knee_up = 0.14f;  // from midway between hip and foot
+  float hip_radius = 0.026f, knee_radius = 0.02f, foot_radius = 0.01f;
+  double lift = 0.06;  // of a foot that steps
+};
+
+void add_part(Surface& to, const BeetlePart& part) {
   Surface ball = ball_surface();
   auto first = static_cast<std::uint32_t>(to.position.size());
   for (const Vec3& p : ball.position) {
-    Vec3 at = middle + 2.0f * half * p;
-    to.position.push_back({at.x, at.y, std::max(at.z, lowest)});
+    Vec3 at = part.middle + 2.0f * part.half * p;
+    to.position.push_back({at.x, at.y, std::max(at.z, part.lowest)});
   }
   for (auto [a, b, c] : ball.triangle) to.triangle.push_back({first + a, first + b, first + c});
 }
@@ -41,36 +73,38 @@ void add_rod(Surface& to, Vec3 from, Vec3 till, float thick, float thin) {
   }
 }
 
-/// Wing covers, and the shield before them. It heads for +y, its upper side is +z.
+/// Wing covers, and the shield before them.
 Surface beetle_back() {
+  constexpr float kSeamDepth = 0.02f, kSeamWidthSquared = 0.0008f;  // between the wing covers
   Surface s;
-  add_ellipsoid(s, {0, -0.11f, 0.16f}, {0.24f, 0.36f, 0.19f}, 0.10f);
-  // The seam between the wing covers.
-  for (Vec3& p : s.position) p.z -= 0.02f * std::exp(-(p.x * p.x) / 0.0008f);
-  add_ellipsoid(s, {0, 0.24f, 0.15f}, {0.18f, 0.13f, 0.12f}, 0.09f);
+  add_part(s, kWingCovers);
+  for (Vec3& p : s.position) p.z -= kSeamDepth * std::exp(-(p.x * p.x) / kSeamWidthSquared);
+  add_part(s, kNeckShield);
   set_normals(s);
   return s;
 }
 
 /// Head, feelers and legs at a moment 0..1 of the gait: three legs stand while the other three step.
 Surface beetle_limbs(double moment) {
+  constexpr BeetleLegs kLegs{};
   Surface s;
-  add_ellipsoid(s, {0, 0.39f, 0.13f}, {0.11f, 0.10f, 0.08f}, 0.07f);
-  add_ellipsoid(s, {0, 0.02f, 0.12f}, {0.17f, 0.36f, 0.05f}, 0.07f);
+  add_part(s, kBeetleHead);
+  add_part(s, kBeetleBelly);
   for (float side : {-1.0f, 1.0f}) {
-    Vec3 elbow(side * 0.15f, 0.56f, 0.20f);
-    add_rod(s, {side * 0.06f, 0.46f, 0.15f}, elbow, 0.012f, 0.010f);
-    add_rod(s, elbow, {side * 0.24f, 0.72f, 0.14f}, 0.012f, 0.006f);
+    auto at_side = [&](Vec3 right) { return Vec3(side * right.x, right.y, right.z); };
+    for (auto [from, till, thick, thin] : kFeeler) add_rod(s, at_side(from), at_side(till), thick, thin);
     for (int leg = 0; leg < 3; ++leg) {
       bool odd = (leg == 1) != (side > 0);
       double turn = 2 * kPi * (moment + (odd ? 0.5 : 0));
-      auto swing = static_cast<float>(0.5 * kStep * 0.5 * std::cos(turn));
-      auto lift = static_cast<float>(std::max(0.0, -std::sin(turn)) * 0.06);
-      float from = 0.24f - 0.2f * static_cast<float>(leg), reach = 0.16f - 0.2f * static_cast<float>(leg);
-      Vec3 hip(side * 0.12f, from, 0.11f), foot(side * 0.46f, from + reach + swing, 0.01f + lift);
-      Vec3 knee = 0.5f * (hip + foot) + Vec3(side * 0.06f, 0, 0.14f);
-      add_rod(s, hip, knee, 0.026f, 0.02f);
-      add_rod(s, knee, foot, 0.02f, 0.01f);
+      auto swing = static_cast<float>(0.5 * kStride * 0.5 * std::cos(turn));
+      auto lift = static_cast<float>(std::max(0.0, -std::sin(turn)) * kLegs.lift);
+      float from = kLegs.first_hip - kLegs.to_next_hip * static_cast<float>(leg),
+            reach = kLegs.first_reach - kLegs.reach_to_next * static_cast<float>(leg);
+      Vec3 hip(side * kLegs.hip_aside, from, kLegs.hip_up),
+          foot(side * kLegs.foot_aside, from + reach + swing, kLegs.foot_up + lift);
+      Vec3 knee = 0.5f * (hip + foot) + Vec3(side * kLegs.knee_aside, 0, kLegs.knee_up);
+      add_rod(s, hip, knee, kLegs.hip_radius, kLegs.knee_radius);
+      add_rod(s, knee, foot, kLegs.knee_radius, kLegs.foot_radius);
     }
   }
   set_normals(s);
@@ -149,7 +183,7 @@ Organs walkers_at(const Walkers& walkers, const Strands& paths, double share, Se
     Seed own = seed.child(k);
     double size = walkers.size * (1 + walkers.size_variation * own.child("size").range(-1, 1));
     PathPoint point = point_on(paths, paths.strands[k], static_cast<float>(share), static_cast<float>(size));
-    double steps = static_cast<double>(point.along) / (kStep * size) + own.child("gait").unit();
+    double steps = static_cast<double>(point.along) / (kStride * size) + own.child("gait").unit();
     auto moment = static_cast<std::uint16_t>(static_cast<int>((steps - std::floor(steps)) * kGaits) % kGaits);
     organs.prototype.push_back(walkers.mesh.triangle.empty() ? moment : std::uint16_t{0});
     organs.position.push_back(point.place);

@@ -36,6 +36,7 @@ Reaction reaction_of(const MassiveParams& params) {
 }  // namespace
 
 Result<Model> grow_massive(const MassiveParams& params, const Surroundings& around, Seed seed) {
+  constexpr float kValley = 0.05f, kRidge = 0.75f;  // of the second substance (reaction.h)
   Accreted skin = accrete(law_of(params), accretion_world(around), seed.child("skin"));
   std::vector<float> tone(skin.surface.position.size(), 1);
   if (params.relief != Wrought::plain) {
@@ -43,7 +44,7 @@ Result<Model> grow_massive(const MassiveParams& params, const Surroundings& arou
     tone = react(skin.surface, reaction_of(params), seed.child("reaction"));
     std::vector<float> height;
     for (float& t : tone) {
-      t = smooth_step(0.05f, 0.75f, t);
+      t = smooth_step(kValley, kRidge, t);
       if (params.relief == Wrought::cups) t = 1 - t;
       height.push_back(static_cast<float>(params.depth) * (t - 0.5f));
     }

@@ -12,19 +12,25 @@ namespace frond {
 
 namespace {
 
-constexpr int kMushroomRings = 44, kMushroomOrders = 3, kSeptumParts = 6;
+constexpr int kMushroomRings = 44, kMushroomOrders = 3;
+constexpr int kSeptaInAll = 4;   // for each one that reaches the mouth
+constexpr int kSeptumParts = 6;  // vertices from one to the next but one
 
 /// How much a place stands on a septum: 0 between, 1 on the crest. Those of a later order begin farther out.
 float septum_at(double turn, double share, int septa) {
+  // From the mouth to the rim, 0..1: where septa of the first order begin, by how much farther out those of
+  // the next, and how long they rise.
+  constexpr double kBegins = 0.12, kBeginsFarther = 0.24, kRising = 0.12;
+  constexpr double kLower = 0.22;  // by which crests of the next order are lower
   double best = 0;
   for (int order = 0; order < kMushroomOrders; ++order) {
     double count = septa * (order == 0 ? 1 : 1 << (order - 1)), shift = order == 0 ? 0 : 0.5;
     double phase = turn * count / (2 * kPi) - shift;
     double off = std::abs(phase - std::round(phase)) / count;  // turns to the nearest crest
-    double half = 0.5 / (septa * 4);                           // turns
-    double begins = 0.12 + 0.24 * order;
-    double ridge = std::max(0.0, 1 - off / half) * smooth_step(begins, begins + 0.12, share);
-    best = std::max(best, ridge * (1 - 0.22 * order));
+    double half = 0.5 / (septa * kSeptaInAll);                 // turns
+    double begins = kBegins + kBeginsFarther * order;
+    double ridge = std::max(0.0, 1 - off / half) * smooth_step(begins, begins + kRising, share);
+    best = std::max(best, ridge * (1 - kLower * order));
   }
   return static_cast<float>(best);
 }
@@ -32,19 +38,28 @@ float septum_at(double turn, double share, int septa) {
 }  // namespace
 
 Result<Model> grow_mushroom(const MushroomParams& params, const Surroundings&, Seed seed) {
-  int round = params.septa * 4 * kSeptumParts / 2;
+  constexpr double kUneven = 0.05;                         // of its outline
+  constexpr double kRimHeight = 0.12, kDomeHeight = 0.88;  // of its height
+  constexpr double kDomePower = 2.4, kDomeRound = 0.75;    // exponents of its profile, a superellipse
+  constexpr double kMouth = 0.02, kToRim = 0.98;           // of its radius
+  constexpr double kSeptaWander = 0.04;                    // radians at the rim
+  constexpr double kSlitWidth = 0.035, kSlitFull = 0.10, kSlitEnd = 0.22;  // of its length, from the middle
+  constexpr double kSlitDepth = 0.16, kThickness = 0.1;                    // of its height
+  constexpr double kCrestBelow = 0.6;                                      // of the septa's height
+  int round = params.septa * kSeptaInAll * kSeptumParts / 2;
   double half = params.across / 2;
   SheetBody body;
   Vec3 lot(static_cast<float>(seed.child("lot").range(-99, 99)), 0, 0);
   auto at_of = [&](double share, double turn) {
     Vec3 out(static_cast<float>(std::cos(turn)), 0, static_cast<float>(params.oval * std::sin(turn)));
-    double bent = 1 + 0.05 * fractal_noise(out * 1.5f + lot, 2);
+    double bent = 1 + kUneven * fractal_noise(out * 1.5f + lot, 2);
     return out * static_cast<float>(half * share * bent);
   };
-  auto thick = static_cast<float>(0.1 * params.height);
+  auto thick = static_cast<float>(kThickness * params.height);
   auto dome = [&](double share) {
-    return static_cast<float>(params.height *
-                              (0.12 + 0.88 * std::pow(std::max(0.0, 1 - std::pow(share, 2.4)), 0.75)));
+    return static_cast<float>(
+        params.height *
+        (kRimHeight + kDomeHeight * std::pow(std::max(0.0, 1 - std::pow(share, kDomePower)), kDomeRound)));
   };
   auto& surface = body.surface;
   auto put = [&](Vec3 p, float tone, double share) {
@@ -53,15 +68,18 @@ Result<Model> grow_mushroom(const MushroomParams& params, const Surroundings&, S
   };
   for (int j = 0; j <= kMushroomRings; ++j)
     for (int i = 0; i < round; ++i) {
-      double share = 0.02 + 0.98 * j / kMushroomRings, turn = 2 * kPi * i / round;
-      double wander = 0.04 * std::sin(5 * share + 3 * noise(Vec3(static_cast<float>(6 * turn), 0, 0) + lot));
+      double share = kMouth + kToRim * j / kMushroomRings, turn = 2 * kPi * i / round;
+      double wander =
+          kSeptaWander * std::sin(5 * share + 3 * noise(Vec3(static_cast<float>(6 * turn), 0, 0) + lot));
       float crest = septum_at(turn + wander * share, share, params.septa);
       Vec3 p = at_of(share, turn);
       // The mouth is a slit along it.
-      double slit = std::exp(-std::pow(p.z / (0.035 * params.across), 2)) *
-                    (1 - smooth_step(0.10, 0.22, std::abs(static_cast<double>(p.x)) / params.across));
-      p.y = dome(share) + static_cast<float>(params.depth * (crest - 0.6) * smooth_step(0.0, 0.15, share) -
-                                             0.16 * params.height * slit);
+      double slit =
+          std::exp(-std::pow(p.z / (kSlitWidth * params.across), 2)) *
+          (1 - smooth_step(kSlitFull, kSlitEnd, std::abs(static_cast<double>(p.x)) / params.across));
+      p.y = dome(share) +
+            static_cast<float>(params.depth * (crest - kCrestBelow) * smooth_step(0.0, 0.15, share) -
+                               kSlitDepth * params.height * slit);
       if (j == kMushroomRings) p.y = thick + static_cast<float>(params.depth * 0.5 * crest);
       put(p, crest * static_cast<float>(1 - 0.5 * slit), share);
     }
@@ -107,11 +125,12 @@ class MushroomGrower final : public BodyColony<MushroomParams> {
 
   Review review() const override { return {}; }
   Result<SizeEstimate> estimate_size(Seed) const override {
+    constexpr double kTriangleSeconds = 2e-6;
     SizeEstimate sight;
-    sight.triangles = 2.0 * 46 * params.septa * 12;
+    sight.triangles = 2.0 * (kMushroomRings + 2) * params.septa * (kSeptaInAll * kSeptumParts / 2);
     sight.area = 2 * params.across * params.across * params.oval;
     sight.blocks = 1;
-    sight.seconds = 2e-6 * sight.triangles;
+    sight.seconds = kTriangleSeconds * sight.triangles;
     sight.held = kPastTriangle * sight.triangles;
     return sight;
   }

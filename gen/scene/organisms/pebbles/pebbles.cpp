@@ -37,6 +37,9 @@ Errors check_pebbles(const PebblesParams& params) {
 
 Result<Model> build_pebbles(const PebblesParams& params, Seed seed) {
   if (Errors errors = check_pebbles(params); !errors.empty()) return errors;
+  constexpr float kPebbleRoom = 0.46f;                 // radius that one takes, of its longest side
+  constexpr double kLean = 0.2;                        // radians, to either side
+  constexpr double kFlattest = 0.75, kHighest = 1.05;  // of the height of its shape
   Model model;
   Solids& solids = model.solids;
   std::vector<float> height;
@@ -60,15 +63,16 @@ Result<Model> build_pebbles(const PebblesParams& params, Seed seed) {
            ratio = params.least_size / params.most_size;
     float size =
         static_cast<float>(params.least_size / std::sqrt(ratio * ratio + (1 - ratio * ratio) * share));
-    auto spots = scatter(Vec2(0), params.inner, params.radius, 0.46f * size, 1, taken, own.child("spot"));
+    auto spots =
+        scatter(Vec2(0), params.inner, params.radius, kPebbleRoom * size, 1, taken, own.child("spot"));
     if (spots.empty()) continue;
     auto which =
         static_cast<std::uint16_t>(own.child("which").bits() % static_cast<std::uint64_t>(params.shapes));
     Quat turn = glm::angleAxis(static_cast<float>(own.child("turn").range(0, 2 * kPi)), Vec3(0, 1, 0));
-    Quat lean = glm::angleAxis(static_cast<float>(own.child("lean").range(-0.2, 0.2)), Vec3(1, 0, 0));
+    Quat lean = glm::angleAxis(static_cast<float>(own.child("lean").range(-kLean, kLean)), Vec3(1, 0, 0));
     float factor = size / static_cast<float>(middle);
     float sunk = static_cast<float>(params.buried) * height[which] * factor;
-    Vec3 scale = factor * Vec3(1, static_cast<float>(own.child("flat").range(0.75, 1.05)), 1);
+    Vec3 scale = factor * Vec3(1, static_cast<float>(own.child("flat").range(kFlattest, kHighest)), 1);
     solids.place(which, Vec3(spots[0].at.x, -sunk, spots[0].at.y), turn * lean, scale);
   }
   return model;

@@ -77,17 +77,20 @@ std::vector<StemAxes> axes_of(const Skeleton& stem) {
 
 /// A leaflet of that direction and length, in the axes of its place on the stem.
 LeafletPlace leaflet_at(Vec3 at, const StemAxes& axes, Vec3 own, const OrganParams& organ, Seed seed) {
+  // How much leaflets of one kind differ, to either side: angles, and shares of length and droop.
+  constexpr double kFoldVaries = radians(8.0), kTwistVaries = radians(25.0);
+  constexpr double kLengthVaries = 0.1, kDroopVaries = 0.35;
   // `fold` raises it about the stem.
   Vec3 out(own.x, 0, own.z);
   if (float aside = glm::length(out); aside > 0) {
-    auto fold = static_cast<float>(organ.fold + radians(8.0) * seed.child(0).range(-1, 1));
+    auto fold = static_cast<float>(organ.fold + kFoldVaries * seed.child(0).range(-1, 1));
     Vec3 raised = out / aside * std::cos(fold) + Vec3(0, 0, std::sin(fold));
     own = glm::normalize(raised) * aside + Vec3(0, own.y, 0);
   }
   LeafletPlace place{at, axes * glm::normalize(own), axes[2], glm::length(own)};
-  place.length *= static_cast<float>(1 + 0.1 * seed.child(1).range(-1, 1));
-  place.droop = organ.droop * (1 + 0.35 * seed.child(2).range(-1, 1));
-  place.twist = radians(25.0) * seed.child(3).range(-1, 1);
+  place.length *= static_cast<float>(1 + kLengthVaries * seed.child(1).range(-1, 1));
+  place.droop = organ.droop * (1 + kDroopVaries * seed.child(2).range(-1, 1));
+  place.twist = kTwistVaries * seed.child(3).range(-1, 1);
   return place;
 }
 

@@ -39,30 +39,36 @@ void resize(Surface& surface, float factor, Vec3 shift) {
 
 /// Petals, a heart and green sepals behind.
 void add_flower(Prototype& flower, const OrganParams& p) {
+  constexpr double kFlatness = 0.45,
+                   kLargeHeart = 0.3;  // of hearts; the size from which they have more florets
+  constexpr int kFlorets = 40, kManyFlorets = 160;
+  constexpr float kHeartUp = 0.03f;  // of its size
   Surface petals = corolla_surface(petal_shape(p), p.petals, p.open);
   float heart = static_cast<float>(p.heart);
   resize(petals, 0.5f, Vec3(0));
   flower.parts.push_back({Tissue::petal, std::move(petals)});
   if (p.heart > 0) {
-    Surface dome = heart_surface(0.5 * p.heart, 0.45, p.heart > 0.3 ? 160 : 40);
-    resize(dome, 1, Vec3(0, 0.03f * heart, 0));
+    Surface dome = heart_surface(0.5 * p.heart, kFlatness, p.heart > kLargeHeart ? kManyFlorets : kFlorets);
+    resize(dome, 1, Vec3(0, kHeartUp * heart, 0));
     flower.parts.push_back({Tissue::heart, std::move(dome)});
   }
 }
 
 void add_bud(Prototype& bud, const OrganParams& p) {
+  constexpr double kWidestLow = 0.75, kPointed = 0.3;  // power of the height; how much narrower the tip is
+  constexpr float kCalyxWider = 1.12f, kCalyxHeight = 0.36f;
   std::array<float, 9> profile;
   for (int i = 0; i < 9; ++i) {
     double t = i / 8.0;
     profile[static_cast<std::size_t>(i)] =
-        static_cast<float>(0.5 * p.width * std::sin(kPi * std::pow(t, 0.75)) * (1 - 0.3 * t));
+        static_cast<float>(0.5 * p.width * std::sin(kPi * std::pow(t, kWidestLow)) * (1 - kPointed * t));
   }
   profile.front() = profile.back() = 0;
   bud.parts.push_back({Tissue::petal, turned_surface(profile, 12)});
-  for (float& r : profile) r *= 1.12f;
+  for (float& r : profile) r *= kCalyxWider;
   std::array<float, 4> calyx{0, profile[1], profile[2], profile[3]};
   Surface cup = turned_surface(calyx, 12);
-  for (Vec3& v : cup.position) v.y *= 0.36f;
+  for (Vec3& v : cup.position) v.y *= kCalyxHeight;
   set_normals(cup);
   bud.parts.push_back({Tissue::heart, std::move(cup)});
 }
@@ -174,9 +180,10 @@ std::vector<Prototype> organ_prototypes(const PlantParams& params) {
   if (params.season)
     for (Prototype& organ : list) add_seasons(organ, *params.season);
   list.push_back({"@O", {{Tissue::skin, ball_surface()}}, params.bark.colors, params.bark.second});
+  constexpr float kDiscThickness = 0.02f;
   std::array<float, 3> disc{0, 0.5f, 0};
   Surface flat = turned_surface(disc, 20);
-  for (Vec3& p : flat.position) p.y = (p.y - 0.5f) * 0.02f;
+  for (Vec3& p : flat.position) p.y = (p.y - 0.5f) * kDiscThickness;
   set_normals(flat);
   list.push_back({"@o", {{Tissue::skin, std::move(flat)}}, params.bark.colors, params.bark.second});
   if (params.season) add_blossom(list, *params.season);

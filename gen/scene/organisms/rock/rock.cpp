@@ -57,9 +57,11 @@ class RockGrower final : public Described<RockParams, BodyBuilder> {
   }
   Appearance appearance() const override { return stone_appearance(params.stone); }
   std::shared_ptr<const Grower> coarse(double share) const override {
+    static constexpr int kCoarseDepth = 5, kCoarsestDepth = 4;
+    static constexpr double kCoarsest = 0.1, kCoarseTolerance = 0.004;  // share of detail; metres
     return changed(*this, [&](RockParams& p) {
-      p.shape.cells.depth = std::min(p.shape.cells.depth, share < 0.1 ? 4 : 5);
-      p.shape.cells.tolerance = std::max(p.shape.cells.tolerance, 0.004);
+      p.shape.cells.depth = std::min(p.shape.cells.depth, share < kCoarsest ? kCoarsestDepth : kCoarseDepth);
+      p.shape.cells.tolerance = std::max(p.shape.cells.tolerance, kCoarseTolerance);
     });
   }
   GrowerTraits traits() const override { return {.stands_on_rock = false}; }

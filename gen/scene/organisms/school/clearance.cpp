@@ -87,7 +87,8 @@ void Clearance::add(Vec3 middle, float radius) {
 }
 
 void Clearance::add(Vec3 a, Vec3 b, float radius_a, float radius_b) {
-  int parts = std::max(1, static_cast<int>(std::ceil(glm::distance(a, b) / (0.7f * cell_))));
+  constexpr float kApart = 0.7f;  // cells, from ball to ball along the rod
+  int parts = std::max(1, static_cast<int>(std::ceil(glm::distance(a, b) / (kApart * cell_))));
   for (int i = 0; i <= parts; ++i) {
     float t = static_cast<float>(i) / static_cast<float>(parts);
     add(a + (b - a) * t, radius_a + (radius_b - radius_a) * t);

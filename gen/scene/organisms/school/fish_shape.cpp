@@ -37,15 +37,19 @@ Vec3 place(double along, double up, double out) {
 }
 
 void add_body(Surface& mesh, const FishForm& form) {
+  constexpr double kGills = 0.25;                     // where they end, as a share of the body
+  constexpr double kThickness = 1.05, kThins = 0.75;  // of FishForm::width: at the gills, less at the tail
+  constexpr double kRoundness = 0.92;                 // power of the height: 1 makes the rings ellipses
   auto first = static_cast<std::uint32_t>(mesh.position.size());
   for (int i = 0; i <= kRings; ++i) {
     double t = static_cast<double>(i) / kRings, s = t * t * (1.6 - 0.6 * t);  // closer at the nose
     double along = kFishBody * s, half = fish_depth(form, s);
     // Behind the gills the body thins sooner than it narrows.
-    double thick = half * form.width * (s < 0.25 ? 1.05 : 1.05 - 0.75 * smooth_step(0.25, 1.0, s));
+    double thick =
+        half * form.width * (s < kGills ? kThickness : kThickness - kThins * smooth_step(kGills, 1.0, s));
     for (int k = 0; k < kRound; ++k) {
       double turn = 2 * kPi * k / kRound, c = std::cos(turn), z = std::sin(turn);
-      double up = half * (z < 0 ? -1 : 1) * std::pow(std::abs(z), 0.92), out = thick * c;
+      double up = half * (z < 0 ? -1 : 1) * std::pow(std::abs(z), kRoundness), out = thick * c;
       mesh.position.push_back(place(along, up, out));
       mesh.uv.push_back(fish_uv(along, up));
     }
@@ -58,7 +62,8 @@ void add_body(Surface& mesh, const FishForm& form) {
     }
 }
 
-/// How far the tail reaches back at a height, -1..1 of half its depth.
+/// How far the tail reaches back at a height, -1..1 of half its depth, as a share of its length. Hollow tails
+/// reach from the first number in the middle to 1 at the corners, a round one the other way.
 double tail_reach(TailShape shape, double v) {
   double a = std::abs(v);
   switch (shape) {
@@ -74,17 +79,50 @@ double tail_reach(TailShape shape, double v) {
   return 1;
 }
 
+/// A fin of a pair at the sides. Its root is at a share of the fish's length from the nose, up and out by
+/// shares of half the depth and half the width that the body has behind the gills.
+struct SideFin {
+  double along, up, out;
+  double length;  // as a share of FishForm::pectoral
+  double down;    // radians that it points below straight back
+  double spread;  // how far it stands off the body, as a share of its length
+};
+
+constexpr SideFin kPectoral{0.225, -0.25, 0.92, 1, 0.35, 0.55}, kPelvic{0.27, -0.93, 0.12, 0.75, 0.75, 0.25};
+
+/// Adds it to a side, -1 or 1.
+void add_side_fin(Surface& mesh, const FishForm& form, const SideFin& fin, double side) {
+  constexpr double kBehindGills = 0.27;             // as a share of the body
+  constexpr double kRootFan = 0.5, kFansOut = 0.9;  // radians between its edges, and how many more at its rim
+  constexpr double kEdgesShorter = 0.35;            // than its middle, as a share of it
+  double gill = fish_depth(form, kBehindGills), wide = gill * form.width;
+  double up = fin.up * gill, out = fin.out * wide, length = fin.length * form.pectoral;
+  auto at = [=](double t, double r) {
+    double fan = (t - 0.5) * (kRootFan + kFansOut * r),
+           l = length * r * (1 - kEdgesShorter * std::pow(2 * t - 1, 2));
+    return place(fin.along + l * std::cos(fan + fin.down), up - l * std::sin(fan + fin.down),
+                 side * (out + fin.spread * l));
+  };
+  // Its colours are those of fins, from a place above the back.
+  add_sheet(mesh, 5, 2, at, [&](double t, double r) { return fish_uv(0.35 + 0.1 * t, 0.5 + 0.03 * r); });
+}
+
 void add_fins(Surface& mesh, const FishForm& form) {
+  constexpr double kTailRoot = 0.9, kTailOpens = 0.8;  // of the body's depth; power of the way back
+  constexpr double kTrails = 0.06;  // of the fish's length, by which a fin's hind corner lies behind its root
+  // Where fins of the back and the belly begin and end, as dorsal_height and anal_height have it.
+  constexpr double kDorsalEnd = 0.75, kAnalBegin = 0.52, kAnalEnd = 0.75;
   double root = 0.5 * form.depth * form.peduncle, begin = kFishBody - kTailOverlap;
   auto tail = [&](double t, double r) {
     double v = 2 * t - 1, reach = tail_reach(form.tail, v) * (1 - begin) * r;
-    double up = v * (root * 0.9 + (0.5 * form.tail_depth - root) * std::pow(r, 0.8));
+    double up = v * (root * kTailRoot + (0.5 * form.tail_depth - root) * std::pow(r, kTailOpens));
     return std::pair(begin + reach, up);
   };
   auto tall = [&](double sign, double from, double to, double (*height)(const FishForm&, double)) {
     auto at = [=, &form](double t, double r) {
       double along = from + (to - from) * t, half = fish_depth(form, along / kFishBody);
-      double lean = 0.06 * r * smooth_step(0.3, 1.0, t);  // its hind corner trails
+      double lean = kTrails * r * smooth_step(0.3, 1.0, t);
+      // Its root is within the body.
       return std::pair(along + lean, sign * (0.93 * half + (0.07 * half + height(form, along)) * r));
     };
     add_sheet(
@@ -94,32 +132,23 @@ void add_fins(Surface& mesh, const FishForm& form) {
   add_sheet(
       mesh, kFinSteps, 4, [&](double t, double r) { return place(tail(t, r).first, tail(t, r).second, 0); },
       [&](double t, double r) { return fish_uv(tail(t, r).first, tail(t, r).second); });
-  if (form.dorsal > 0) tall(1, form.dorsal_from, 0.75, dorsal_height);
-  if (form.anal > 0) tall(-1, 0.52, 0.75, anal_height);
-  // Pairs at the sides: pectoral fins behind the gills, pelvic fins below.
-  for (double side : {-1.0, 1.0}) {
-    auto pair = [&](double along, double up, double out, double length, double down, double spread) {
-      auto at = [=](double t, double r) {
-        double fan = (t - 0.5) * (0.5 + 0.9 * r), l = length * r * (1 - 0.35 * std::pow(2 * t - 1, 2));
-        return place(along + l * std::cos(fan + down), up - l * std::sin(fan + down),
-                     side * (out + spread * l));
-      };
-      // Its colours are those of fins, from a place above the back.
-      add_sheet(mesh, 5, 2, at, [&](double t, double r) { return fish_uv(0.35 + 0.1 * t, 0.5 + 0.03 * r); });
-    };
-    double gill = fish_depth(form, 0.27), wide = gill * form.width;
-    if (form.pectoral > 0) pair(0.225, -0.25 * gill, 0.92 * wide, form.pectoral, 0.35, 0.55);
-    if (form.pectoral > 0) pair(0.27, -0.93 * gill, 0.12 * wide, 0.75 * form.pectoral, 0.75, 0.25);
-  }
+  if (form.dorsal > 0) tall(1, form.dorsal_from, kDorsalEnd, dorsal_height);
+  if (form.anal > 0) tall(-1, kAnalBegin, kAnalEnd, anal_height);
+  if (form.pectoral > 0)
+    for (double side : {-1.0, 1.0})
+      for (const SideFin& fin : {kPectoral, kPelvic}) add_side_fin(mesh, form, fin, side);
 }
 
 /// Bends the fish aside: a wave that runs down its body and grows toward the tail (Videler 1993), and a bow.
+/// Lengths are shares of the fish's; it swings least a fifth behind its nose.
 void bend_fish(Surface& mesh, double phase, double bend) {
+  constexpr double kWaves = 0.95;                  // on its length at a time
+  constexpr double kBow = 0.16, kBowMiddle = 0.3;  // coefficient of the parabola; its vertex from the nose
   for (Vec3& p : mesh.position) {
     double s = 0.5 - p.y;
     double swing = 0.012 - 0.055 * s + 0.125 * s * s;
-    double wave = swing * std::sin(2 * kPi * (0.95 * s - phase));
-    double bow = bend * 0.16 * (s - 0.3) * (s - 0.3);
+    double wave = swing * std::sin(2 * kPi * (kWaves * s - phase));
+    double bow = bend * kBow * (s - kBowMiddle) * (s - kBowMiddle);
     p.x += static_cast<float>(wave + bow);
   }
 }
@@ -143,24 +172,26 @@ std::vector<Prototype> fish_prototypes(const FishParams& fish) {
       Prototype made{"fish", {}, {fish.look.flank}, fish.look.back};
       Surface shape = fish_surface(fish.form, static_cast<double>(phase) / kTailPhases, bend - 1.0);
       made.parts.push_back({Tissue::leaf, std::move(shape), {picture}});
-      made.luster = Luster{0.12, 0.9 * fish.look.gloss, 0.3 * fish.look.scales};
+      made.luster = {.through = 0.12, .gloss = 0.9 * fish.look.gloss, .relief = 0.3 * fish.look.scales};
       list.push_back(std::move(made));
     }
   return list;
 }
 
 Organs school_organs(const SchoolParams& params, const Trajectory& trajectory, double time) {
+  constexpr float kTurns = 0.7f;                    // radians a second from which its body is bent
+  constexpr float kBank = 0.25f, kMostBank = 0.5f;  // radians it leans by, for one a second of turn; at most
   Organs organs;
   organs.reserve(static_cast<std::size_t>(trajectory.count));
   for (int i = 0; i < trajectory.count; ++i) {
     FishPose pose = fish_at(trajectory, i, time);
     float beats = pose.stroke - std::floor(pose.stroke);
     int phase = static_cast<int>(beats * kTailPhases + 0.5f) % kTailPhases;
-    int bend = pose.turn > 0.7f ? 2 : pose.turn < -0.7f ? 0 : 1;
+    int bend = pose.turn > kTurns ? 2 : pose.turn < -kTurns ? 0 : 1;
     Vec3 ahead = pose.heading, side = glm::cross(ahead, Vec3(0, 1, 0));
     side = glm::length(side) > 1e-4f ? glm::normalize(side) : Vec3(1, 0, 0);
     // It leans into its turns.
-    float bank = std::clamp(-0.25f * pose.turn, -0.5f, 0.5f);
+    float bank = std::clamp(-kBank * pose.turn, -kMostBank, kMostBank);
     glm::mat3 axes(side, ahead, glm::cross(side, ahead));
     Quat turn = glm::normalize(glm::angleAxis(bank, ahead) * glm::quat_cast(axes));
     float length = static_cast<float>(params.fish.length) * pose.size;

@@ -77,9 +77,10 @@ class School final : public Described<SchoolParams, BedGrower> {
     return {};
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
+    constexpr double kFishTriangles = 900;
     SizeEstimate fish;
     fish.organs = fish.parts = 1;
-    fish.shapes = kTailPhases * kTailBends * 900.0;
+    fish.shapes = kTailPhases * kTailBends * kFishTriangles;
     return fish;
   }
   Appearance appearance() const override {
@@ -126,9 +127,13 @@ class School final : public Described<SchoolParams, BedGrower> {
   /// The box that its fish may reach, and the grid in it.
   Clearance clearance_round(Vec3 home, const World& world) const {
     const SwimParams& swim = params.swim;
-    double wide = 1.4 * swim.home + swim.roam + 0.8, high = 1.6 * swim.layer + 0.2 * swim.roam + 0.8;
+    constexpr double kBeyondHome = 1.4, kBeyondLayer = 1.6, kRoamUp = 0.2;  // of home, layer and roam
+    constexpr double kSpare = 0.8;                                          // metres
+    constexpr double kCell = 0.4, kFinest = 0.03, kCoarsest = 0.5;          // of a fish's length; metres
+    double wide = kBeyondHome * swim.home + swim.roam + kSpare,
+           high = kBeyondLayer * swim.layer + kRoamUp * swim.roam + kSpare;
     Vec3 reach(wide, high, wide);
-    double cell = std::clamp(0.4 * params.fish.length, 0.03, 0.5);
+    double cell = std::clamp(kCell * params.fish.length, kFinest, kCoarsest);
     cell = std::max(cell, std::cbrt(8 * wide * wide * high / kMostCells));
     return clearance_of(world, home - reach, home + reach, static_cast<float>(cell));
   }

@@ -20,7 +20,13 @@ constexpr double kStep = 1.0 / 20;   // seconds, about
 constexpr double kSettling = 8;      // seconds before the film in which they find their order
 constexpr double kStillPeriod = 24;  // seconds of a still picture's round
 constexpr double kMostBlend = 2.5;   // seconds in which the end goes over into the beginning
+constexpr double kBlendShare = 0.6;  // of the film, at most
 constexpr double kBodyShare = 0.5;   // of its length that it keeps clear, as its nose and its tail stand out
+
+// Accelerations by which fish are steered, each 1/s, by eye.
+constexpr float kAlignment = 2.2f, kFollowing = 1.2f, kLevelling = 1.5f;  // times a difference of velocities
+constexpr float kSeparation = 1.6f, kCohesion = 1.1f, kAvoidance = 6, kHoming = 2.5f;  // times their speed
+constexpr float kMostPull = 5;  // times their speed, of all together
 
 /// The state of all fish.
 struct Shoal {
@@ -33,7 +39,8 @@ class Swimmer {
       : task_(task), p_(task.params), clear_(clear), period_(task.film > 0 ? task.film : kStillPeriod) {
     phase_ = task.seed.child("round").range(0, 2 * kPi);
     // No faster than they swim, so that the shorter the film the nearer to home they stay.
-    round_ = static_cast<float>(std::min(p_.roam, 0.6 * p_.speed * period_ / (2 * kPi)));
+    constexpr double kGuidePace = 0.6;  // of their speed
+    round_ = static_cast<float>(std::min(p_.roam, kGuidePace * p_.speed * period_ / (2 * kPi)));
     current_ = static_cast<float>(p_.speed) * p_.current;
     body_ = static_cast<float>(kBodyShare * task.length + p_.clearance);
   }
@@ -42,8 +49,9 @@ class Swimmer {
 
   /// Where the middle of the school is drawn to.
   Vec3 guide(double time) const {
+    constexpr double kUp = 0.15, kAside = 0.7;  // of how far it goes along x
     double turn = 2 * kPi * time / period_ + phase_;
-    return task_.home + round_ * Vec3(std::cos(turn), 0.15 * std::sin(2 * turn), 0.7 * std::sin(turn));
+    return task_.home + round_ * Vec3(std::cos(turn), kUp * std::sin(2 * turn), kAside * std::sin(turn));
   }
   Vec3 guide_velocity(double time) const { return (guide(time + 0.01) - guide(time - 0.01)) / 0.02f; }
 
@@ -59,7 +67,8 @@ class Swimmer {
       Vec3 direction = glm::length(ahead) > 1e-4f ? glm::normalize(ahead) : Vec3(1, 0, 0);
       shoal.velocity.push_back(direction * static_cast<float>(p_.speed) + current_);
     }
-    for (int k = 0; k < 30; ++k) keep_apart(shoal.at, 0.5f), keep_clear(shoal.at);
+    constexpr int kSpreading = 30;  // rounds until nearly all have room
+    for (int k = 0; k < kSpreading; ++k) keep_apart(shoal.at, 0.5f), keep_clear(shoal.at);
     return shoal;
   }
 
@@ -95,13 +104,17 @@ class Swimmer {
 
   /// Moves those out that are nearer to what stands than their body.
   void keep_clear(std::vector<Vec3>& at) const {
+    constexpr int kTries = 4;
+    constexpr float kFlat = 0.05f;       // slope of the clearance below which it tells no way out
+    constexpr float kLeastSlope = 0.4f;  // as if it were at least so steep, so that steps stay short
+    constexpr float kFarther = 1.05f;    // than what is missing
     for (Vec3& place : at)
-      for (int k = 0; k < 4; ++k) {
+      for (int k = 0; k < kTries; ++k) {
         float room = clear_(place);
         if (room >= body_) break;
         Vec3 out = clear_.away(place);
         float slope = glm::length(out);
-        place += slope > 0.05f ? (body_ - room) * 1.05f / std::max(slope, 0.4f) * out / slope
+        place += slope > kFlat ? (body_ - room) * kFarther / std::max(slope, kLeastSlope) * out / slope
                                : Vec3(0, body_ - room, 0);
       }
   }
@@ -136,60 +149,68 @@ class Swimmer {
     for (std::size_t l = k + 1; l < order_.size() && shoal.at[order_[l]].x - shoal.at[i].x < sight; ++l)
       heed(order_[l]);
     auto speed = static_cast<float>(p_.speed);
-    Vec3 pull = static_cast<float>(p_.separation) * 1.6f * speed * apart;
+    Vec3 pull = static_cast<float>(p_.separation) * kSeparation * speed * apart;
     if (heeded > 0) {
-      pull += static_cast<float>(p_.alignment) * 2.2f * (velocity / heeded - shoal.velocity[i]);
-      pull += static_cast<float>(p_.cohesion) * 1.1f * speed * (middle / heeded - shoal.at[i]) / sight;
+      pull += static_cast<float>(p_.alignment) * kAlignment * (velocity / heeded - shoal.velocity[i]);
+      pull += static_cast<float>(p_.cohesion) * kCohesion * speed * (middle / heeded - shoal.at[i]) / sight;
     }
     pull_[i] = pull;
   }
 
   /// What draws it home, away from what stands, and aside.
   Vec3 drawn(const Shoal& shoal, std::size_t i, double time) const {
+    constexpr float kAtHome = 0.6f;  // of its home's radius: within it nothing draws it back
+    constexpr float kMarginTime = 0.35f, kMargin = 0.1f;  // it evades what is within seconds and metres
+    constexpr float kLookAhead = 0.4f;                    // seconds
     auto speed = static_cast<float>(p_.speed);
     Vec3 at = shoal.at[i], off = at - guide(time);
     Vec3 share = off / Vec3(p_.home, p_.layer, p_.home);
     float out = glm::length(share);
-    Vec3 pull = 1.2f * (guide_velocity(time) - shoal.velocity[i]);
-    if (out > 0.6f) pull -= speed * 2.5f * (out - 0.6f) * share / out;
+    Vec3 pull = kFollowing * (guide_velocity(time) - shoal.velocity[i]);
+    if (out > kAtHome) pull -= speed * kHoming * (out - kAtHome) * share / out;
     // Ahead of it and beside it.
-    float margin = body_ + 0.35f * speed + 0.1f;
-    for (Vec3 look : {at, at + 0.4f * shoal.velocity[i]}) {
+    float margin = body_ + kMarginTime * speed + kMargin;
+    for (Vec3 look : {at, at + kLookAhead * shoal.velocity[i]}) {
       float room = clear_(look);
       if (room >= margin) continue;
       float near = 1 - std::max(0.0f, room - body_) / (margin - body_);
       Vec3 away = clear_.away(look);
       float slope = glm::length(away);
-      if (slope > 1e-3f) pull += static_cast<float>(p_.avoidance) * 6 * speed * near * near * away / slope;
+      if (slope > 1e-3f)
+        pull += static_cast<float>(p_.avoidance) * kAvoidance * speed * near * near * away / slope;
     }
     return pull + wander(i, time);
   }
 
   /// A slow drift of each fish's own; it closes with the film.
   Vec3 wander(std::size_t i, double time) const {
+    constexpr double kRarest = 0.1, kOftenest = 0.35;  // hertz
+    constexpr float kUpDown = 0.5f;                    // of the drift to the sides
     Seed own = task_.seed.child("fish", i).child("wander");
     Vec3 drift(0);
     for (int k = 0; k < 3; ++k) {
       Seed wave = own.child(static_cast<std::uint64_t>(k));
-      double rounds = std::max(1.0, std::round(period_ * wave.child("often").range(0.1, 0.35)));
+      double rounds = std::max(1.0, std::round(period_ * wave.child("often").range(kRarest, kOftenest)));
       drift[k] =
           static_cast<float>(std::sin(2 * kPi * (rounds * time / period_ + wave.child("phase").unit())));
     }
-    return static_cast<float>(p_.wander * p_.speed) * drift * Vec3(1, 0.5f, 1);
+    return static_cast<float>(p_.wander * p_.speed) * drift * Vec3(1, kUpDown, 1);
   }
 
   void move(Shoal& shoal, std::size_t i, double time, float dt) {
+    constexpr float kSlowest = 0.55f, kFastest = 1.5f;  // of their speed
+    constexpr float kSteep = 0.6f, kFreely = 0.02f;     // rise over run; and metres a second, however slow
     auto speed = static_cast<float>(p_.speed);
     Vec3 pull = pull_[i] + drawn(shoal, i, time);
-    float strength = glm::length(pull), most = 5 * speed;
+    float strength = glm::length(pull), most = kMostPull * speed;
     if (strength > most) pull *= most / strength;
     Vec3 through = shoal.velocity[i] + pull * dt - current_;
-    through.y *= 1 - 1.5f * dt;  // fish swim level
+    through.y *= 1 - kLevelling * dt;  // fish swim level
     float fast = glm::length(through);
-    if (fast > 1e-5f) through *= std::clamp(fast, 0.55f * speed, 1.5f * speed) / fast;
+    if (fast > 1e-5f) through *= std::clamp(fast, kSlowest * speed, kFastest * speed) / fast;
     // No steeper than they like to.
-    float flat = std::hypot(through.x, through.z), steep = 0.6f * flat;
-    through.y = std::clamp(through.y, -steep - 0.02f, steep + 0.02f);
+    float flat = std::hypot(through.x, through.z), steep = kSteep * flat;
+    through.y = std::clamp(through.y, -steep - kFreely, steep + kFreely);
     shoal.velocity[i] = through + current_;
     shoal.at[i] += shoal.velocity[i] * dt;
   }
@@ -226,11 +247,12 @@ std::vector<int> match(const std::vector<Vec3>& from, const std::vector<Vec3>& t
   for (const Pair& pair : pairs)
     if (next[pair.i] < 0 && !taken[pair.j]) next[pair.i] = static_cast<int>(pair.j), taken[pair.j] = 1;
   // The last ones got what was left: exchanges shorten their paths.
+  constexpr int kExchanges = 12;  // rounds at most
   auto far = [&](std::size_t i, int j) {
     Vec3 off = from[i] - to[static_cast<std::size_t>(j)];
     return glm::dot(off, off);
   };
-  for (int round = 0; round < 12; ++round) {
+  for (int round = 0; round < kExchanges; ++round) {
     bool better = false;
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = i + 1; j < n; ++j)
@@ -245,6 +267,7 @@ double ease(double t) { return t * t * t * (t * (6 * t - 15) + 10); }
 
 /// Directions, speeds and strokes of the tail from the places.
 void finish(Trajectory& trajectory, const SwimTask& task, double beat, double size_variation) {
+  constexpr double kIdleBeats = 0.8;  // a second, of a fish that does not swim
   int n = trajectory.count;
   auto place = [&](int s, int i) {
     if (trajectory.repeats && s > trajectory.steps)
@@ -280,7 +303,7 @@ void finish(Trajectory& trajectory, const SwimTask& task, double beat, double si
       trajectory.velocity[trajectory.at(s, i)] = velocity;
       trajectory.heading[trajectory.at(s, i)] = ahead;
       trajectory.stroke[trajectory.at(s, i)] = static_cast<float>(stroke);
-      stroke += trajectory.step * (0.8 + fast / (beat * task.length));
+      stroke += trajectory.step * (kIdleBeats + fast / (beat * task.length));
     }
   }
   if (!trajectory.repeats) return;
@@ -306,9 +329,8 @@ Trajectory swim(const SwimTask& task, double beat, double size_variation, const 
   // Directions are taken over three steps to each side, also where the film begins again.
   trajectory.steps = std::max(3, static_cast<int>(std::ceil(length / kStep - 1e-9)));
   trajectory.step = length / trajectory.steps;
-  int blend = trajectory.repeats
-                  ? std::max(1, static_cast<int>(std::min(kMostBlend, 0.6 * length) / trajectory.step))
-                  : 0;
+  double blended = std::min(kMostBlend, kBlendShare * length);
+  int blend = trajectory.repeats ? std::max(1, static_cast<int>(blended / trajectory.step)) : 0;
   int settling = static_cast<int>(kSettling / trajectory.step);
 
   int first = -settling - blend;
@@ -359,7 +381,8 @@ FishPose fish_at(const Trajectory& trajectory, int fish, double time) {
   pose.size = trajectory.size[static_cast<std::size_t>(fish)];
   if (trajectory.repeats) {
     // Toward the end it becomes as large as the one whose place it takes.
-    double film = trajectory.steps * trajectory.step, share = smooth_step(0.3 * film, film, time);
+    constexpr double kChangesFrom = 0.3;  // of the film
+    double film = trajectory.steps * trajectory.step, share = smooth_step(kChangesFrom * film, film, time);
     float other = trajectory.size[static_cast<std::size_t>(trajectory.next[static_cast<std::size_t>(fish)])];
     pose.size += (other - pose.size) * static_cast<float>(share);
   }

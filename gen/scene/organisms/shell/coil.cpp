@@ -50,8 +50,10 @@ double rib_at(double phase, double broad) {
 
 /// Rises slowly with growth and breaks off.
 double scute_at(double phase) {
+  constexpr double kRising = 0.86, kBreaksOff = 0.14;  // shares of its length
+  constexpr double kSlowly = 1.6;                      // power; 1 is even
   double t = phase - std::floor(phase);
-  return t < 0.86 ? std::pow(t / 0.86, 1.6) : (1 - t) / 0.14;
+  return t < kRising ? std::pow(t / kRising, kSlowly) : (1 - t) / kBreaksOff;
 }
 
 /// One line of growth, or of the wall behind the lip.
@@ -68,12 +70,15 @@ class Walls {
       : params_(params), edge_(edge), grown_(grown), below_(below) {}
 
   Vec3 place(const ShellEdge::At& at, const Row& row) const {
+    constexpr double kThinnest = 0.15, kThickens = 3;       // of the wall: at the hinge; with the way from it
+    constexpr double kLipTurn = 0.5;                        // radians of growth that a flaring lip is long
+    constexpr double kFlareFrom = 0.35, kFlareFull = 0.85;  // away from the axis
     double ribs = params_.ribs.height * at.crest, raise = row.raise, ahead = row.ahead;
-    if (!row.outside) raise *= std::min(1.0, 0.15 + 3 * at.away);
+    if (!row.outside) raise *= std::min(1.0, kThinnest + kThickens * at.away);
     if (row.outside) raise += relief(at, row);
-    double lip = 1 - smooth_step(0.0, 0.5, row.turn - grown_);
+    double lip = 1 - smooth_step(0.0, kLipTurn, row.turn - grown_);
     if (params_.coiled()) {
-      raise += ribs + params_.flare * lip * smooth_step(0.35, 0.85, at.out);
+      raise += ribs + params_.flare * lip * smooth_step(kFlareFrom, kFlareFull, at.out);
     } else {
       ahead += below_ ? -ribs : ribs;
     }
@@ -107,17 +112,20 @@ class Walls {
       double share = static_cast<double>(j) / along;
       lay({std::max(grown_, -std::log(least + (1 - least) * share) / rate)}, 0);
     }
-    double wall = params_.wall, back = 0.35 * wall;
+    constexpr double kLipBack = 0.35;  // thicknesses of the wall that a valve's margin is cut back inside
+    constexpr double kDeepestInside = 0.96;  // of all growth
+    constexpr double kDenserAtLip = 1.5;     // power; 1 is even
+    double wall = params_.wall, back = kLipBack * wall;
     for (int j = 1; j <= kLipRows; ++j) {
       double round = kPi * j / kLipRows;
       double ahead = params_.coiled() ? 0.5 * wall * std::sin(round) : -back * j / kLipRows;
       lay({grown_, -0.5 * wall * (1 - std::cos(round)), ahead, false}, kShellInside);
     }
     double from = params_.coiled() ? 0 : back,
-           depth = std::min(2 * kPi * params_.hollow, 0.96 * last() - grown_);
+           depth = std::min(2 * kPi * params_.hollow, kDeepestInside * last() - grown_);
     for (int j = 1; j <= behind; ++j) {
       double share = static_cast<double>(j) / behind;
-      lay({grown_ + from + std::max(0.0, depth - from) * std::pow(share, 1.5), -wall, 0, false},
+      lay({grown_ + from + std::max(0.0, depth - from) * std::pow(share, kDenserAtLip), -wall, 0, false},
           kShellInside);
     }
     close(s, laid);
@@ -143,7 +151,8 @@ class Walls {
                std::pow(std::max(0.0, crest), 1.5);
     }
     // Margins close: nothing stands on them.
-    double behind = params_.coiled() ? 1 : smooth_step(0.0, 0.03, row.turn - grown_);
+    constexpr double kMargin = 0.03;  // radians of growth
+    double behind = params_.coiled() ? 1 : smooth_step(0.0, kMargin, row.turn - grown_);
     return raise * at.away * behind;
   }
 

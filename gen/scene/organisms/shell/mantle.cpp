@@ -13,15 +13,23 @@ constexpr double kMantleEnds = 0.10;  // share of the edge at each side of the h
 
 double bump(double x, double width) { return std::exp(-(x / width) * (x / width)); }
 
-/// The height of the tissue over the margins, `across` from the slit 0 to the edge 1, and its undulation.
+// Where water comes in by the wide part of the slit, and where it leaves by a tube: shares of the slit's
+// length.
+constexpr double kInlet = 0.66, kInletWidth = 0.07, kOutlet = 0.36;
+
+/// The height of the tissue over the margins, `across` from the slit 0 to the edge 1, and its undulation. Its
+/// numbers are by eye.
 double swelling(const MantleParams& mantle, double along, double across, bool far) {
+  constexpr double kWavesAlong = 30, kRipplesAlong = 75;                    // on the whole length
+  constexpr double kTubeRadius = 0.22, kTubeWall = 0.11, kTubeHole = 0.13;  // of the way across, about
+  constexpr double kTubeHeight = 0.55, kTubeDepth = 0.9;                    // in heights of the swelling
+  double inlet = bump(along - kInlet, kInletWidth);
   double pillow = std::sin(kPi * std::min(0.97, 0.16 + 0.66 * across)) - 0.35;
-  double waves = noise(Vec3(static_cast<float>(along * 30), far ? 7.3f : 2.1f, 0)) +
-                 0.5 * noise(Vec3(static_cast<float>(along * 75), far ? 3.3f : 9.1f, 4));
-  double slit = (0.8 + 0.6 * bump(along - 0.66, 0.07)) * bump(across, 0.07 + 0.16 * bump(along - 0.66, 0.07));
-  // Water leaves by a short tube, and comes in by the wide part of the slit.
-  double ring = std::hypot((along - 0.36) * 9, across * 0.9);
-  double tube = 0.55 * bump(ring - 0.22, 0.11) - 0.9 * bump(ring, 0.13);
+  double waves = noise(Vec3(static_cast<float>(along * kWavesAlong), far ? 7.3f : 2.1f, 0)) +
+                 0.5 * noise(Vec3(static_cast<float>(along * kRipplesAlong), far ? 3.3f : 9.1f, 4));
+  double slit = (0.8 + 0.6 * inlet) * bump(across, 0.07 + 0.16 * inlet);  // deeper and wider at the inlet
+  double ring = std::hypot((along - kOutlet) * 9, across * 0.9);
+  double tube = kTubeHeight * bump(ring - kTubeRadius, kTubeWall) - kTubeDepth * bump(ring, kTubeHole);
   return mantle.swell * (1.2 * pillow - slit + tube) +
          mantle.ruffle * 2 * waves * smooth_step(0.25, 0.9, across);
 }
@@ -57,6 +65,10 @@ void close_mantle(Surface& top, const std::vector<Vec3>& under) {
 
 Surface shell_mantle(const ShellParams& params, const ShellEdge& edge, double grown, double gape,
                      float hinge) {
+  constexpr double kLipFrom = 0.80, kOverhangFrom = 0.55;     // of the way across
+  constexpr double kOverhang = 0.04, kLipDrop = 0.07;         // of the shell's size
+  constexpr double kMantleThick = 0.05, kThinnerLip = 0.035;  // of it, too
+  constexpr double kBlunt = 0.35;  // power: below 1 the swelling is soon full behind its ends
   const MantleParams& mantle = *params.mantle;
   double size = std::exp(-params.rate() * grown);
   auto opened = [&](Vec3 at, double by) {
@@ -78,20 +90,21 @@ Surface shell_mantle(const ShellParams& params, const ShellEdge& edge, double gr
     Vec3 high = margin(false), low = margin(true), middle = 0.5f * (high + low), half = 0.5f * (high - low);
     Vec3 out = glm::normalize(
         Vec3(static_cast<float>(edge.at[i].normal[0]), 0, static_cast<float>(edge.at[i].normal[1])));
-    out = glm::normalize(out + Vec3(0.5f, 0, 0));
+    out = glm::normalize(out + Vec3(0.5f, 0, 0));  // rather away from the hinge
     Vec3 aside = glm::normalize(half + Vec3(0, 1e-4f * static_cast<float>(size), 0));
     auto wide = static_cast<double>(glm::length(half));
-    double full = std::pow(std::max(0.0, std::sin(kPi * along)), 0.35) * std::min(1.0, 3 * wide / size);
+    double full = std::pow(std::max(0.0, std::sin(kPi * along)), kBlunt) * std::min(1.0, 3 * wide / size);
     for (int b = 0; b <= kMantleAcross; ++b) {
       double side = 2.0 * b / kMantleAcross - 1, across = std::abs(side);
-      double lip = smooth_step(0.80, 1.0, across), raised = swelling(mantle, along, across, side > 0);
+      double lip = smooth_step(kLipFrom, 1.0, across), raised = swelling(mantle, along, across, side > 0);
       // It lies on the margins and hangs a little over them.
-      double over = across * wide + size * (0.9 * params.wall + 0.04) * smooth_step(0.55, 1.0, across) * full;
-      double up = size * full * (raised * (1 - 0.5 * lip) + 0.4 * params.wall - 0.07 * lip * lip);
+      double over = across * wide +
+                    size * (0.9 * params.wall + kOverhang) * smooth_step(kOverhangFrom, 1.0, across) * full;
+      double up = size * full * (raised * (1 - 0.5 * lip) + 0.4 * params.wall - kLipDrop * lip * lip);
       Vec3 p = middle + aside * static_cast<float>(side < 0 ? -over : over) + out * static_cast<float>(up);
       top.position.push_back(p);
       top.uv.push_back({static_cast<float>(along), static_cast<float>(0.002 + 0.996 * (side + 1) / 2)});
-      double thick = size * (0.05 - 0.035 * lip) * std::max(0.2, full);
+      double thick = size * (kMantleThick - kThinnerLip * lip) * std::max(0.2, full);
       under.push_back(p - out * static_cast<float>(thick) -
                       aside * static_cast<float>((side < 0 ? -1 : 1) * 0.3 * thick * lip));
     }

@@ -73,7 +73,8 @@ Model grow_shell(const ShellParams& params, double share, double gape, Seed seed
   ShellEdge edge = shell_edge(params);
   // The size that it has come to, as radians that are still to come; what is younger than its first line is
   // that line, smaller.
-  double first = 0.9 * 2 * kPi * params.whorls;
+  constexpr double kFirstLine = 0.9;  // of all growth
+  double first = kFirstLine * 2 * kPi * params.whorls;
   double size = std::max(share, kYoungest), grown = std::min(-std::log(size) / params.rate(), first);
   double shrunk = size / std::exp(-params.rate() * grown);
   glm::mat3 turn = lying(params);

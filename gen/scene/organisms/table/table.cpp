@@ -15,6 +15,9 @@ namespace frond {
 namespace {
 
 SheetBody table_top(const Sheet& sheet, const TableParams& params) {
+  constexpr float kStalkDown = 0.02f;   // metres that the stalk goes down into the ground
+  constexpr float kStalkBroad = 1.3f;   // above 1 it is of full height over a part of its width
+  constexpr float kStalkGrows = 0.12f;  // share of the age in which it grows to the ground
   auto thick = static_cast<float>(params.thickness / 2), wide = static_cast<float>(params.stalk);
   auto high = static_cast<float>(params.height - params.branchlet);
   SheetSkin skin;
@@ -23,8 +26,8 @@ SheetBody table_top(const Sheet& sheet, const TableParams& params) {
   skin.upper = [=](std::uint32_t, float) { return thick; };
   skin.lower = [&sheet, thick, wide, high](std::uint32_t v, float age) {
     float share = 2 * sheet.distance[v] / wide;
-    float stalk = (high + 0.02f) * std::min(1.0f, 1.3f / (1 + share * share * share));
-    return thick + stalk * smooth_step(0.0f, 0.12f, age);
+    float stalk = (high + kStalkDown) * std::min(1.0f, kStalkBroad / (1 + share * share * share));
+    return thick + stalk * smooth_step(0.0f, kStalkGrows, age);
   };
   return body_of(sheet, skin);
 }
@@ -55,6 +58,7 @@ constexpr int kBranchletSides = 6, kLawnRings = 4;
 /// Appends a branchlet: rings about an axis of `up`, closed at its tip and in its foot. Gives its first
 /// vertex.
 std::uint32_t add_branchlet(Surface& lawn, Vec3 foot, Vec3 up, float length, float thick, float birth) {
+  constexpr float kFootBelow = 0.002f;  // metres in the table
   static constexpr float kProfile[kLawnRings] = {1.0f, 0.95f, 0.8f, 0.5f},
                          kRise[kLawnRings] = {0, 0.4f, 0.75f, 0.94f};
   Vec3 x = glm::normalize(glm::cross(up, Vec3(0.3f, 0.1f, 1)));
@@ -72,7 +76,7 @@ std::uint32_t add_branchlet(Surface& lawn, Vec3 foot, Vec3 up, float length, flo
           kRise[j]);
     }
   add(foot + up * length, 1);
-  add(foot - up * 0.002f, 0);
+  add(foot - up * kFootBelow, 0);
   auto id = [&](int j, int i) {
     return first + static_cast<std::uint32_t>(j * kBranchletSides + i % kBranchletSides);
   };
@@ -90,6 +94,13 @@ std::uint32_t add_branchlet(Surface& lawn, Vec3 foot, Vec3 up, float length, flo
 
 /// The lawn of branchlets on the table, each with its past.
 SheetBody lawn_of(const Sheet& sheet, const SheetBody& top, const TableParams& params, Seed seed) {
+  constexpr double kScatter = 0.25;  // how far a branchlet leans in any direction, for 1 up
+  constexpr float kOutward = 0.15f, kRimOutward = 0.9f;  // how far it leans outward, and more at the rim
+  constexpr float kRimFrom = 0.75f, kRimFull = 0.95f;    // of the way to it
+  constexpr float kLatestBirth = 0.8f;                   // of growth
+  constexpr float kSmallest = 0.02f;                     // of its size
+  // How long it grows, in shares of all growth: at least, and more of what is still to come at its birth.
+  constexpr float kLeastGrowth = 0.1f, kMoreGrowth = 0.25f;
   SheetBody lawn;
   lawn.past.resize(kSheetSteps);
   std::vector<Socket> sockets = sample_sockets(sheet, params.spacing, seed);
@@ -106,18 +117,19 @@ SheetBody lawn_of(const Sheet& sheet, const SheetBody& top, const TableParams& p
     Vec3 foot = place(top.surface.position);
     Vec3 out(foot.x, 0, foot.z);
     float away = glm::length(out) / reach;
-    Vec3 lean(static_cast<float>(own.child("x").range(-0.25, 0.25)), 0,
-              static_cast<float>(own.child("z").range(-0.25, 0.25)));
-    Vec3 up =
-        glm::normalize(Vec3(0, 1, 0) + lean + out / reach * (0.15f + 0.9f * smooth_step(0.75f, 0.95f, away)));
+    Vec3 lean(static_cast<float>(own.child("x").range(-kScatter, kScatter)), 0,
+              static_cast<float>(own.child("z").range(-kScatter, kScatter)));
+    Vec3 up = glm::normalize(Vec3(0, 1, 0) + lean +
+                             out / reach * (kOutward + kRimOutward * smooth_step(kRimFrom, kRimFull, away)));
     auto length = static_cast<float>(params.branchlet * own.child("length").range(0.65, 1.05));
     auto thick = static_cast<float>(params.spacing * own.child("thick").range(0.27, 0.36));
-    std::uint32_t first = add_branchlet(lawn.surface, foot, up, length, thick, std::min(row / rows, 0.8f));
+    std::uint32_t first =
+        add_branchlet(lawn.surface, foot, up, length, thick, std::min(row / rows, kLatestBirth));
     for (int k = 0; k < kSheetSteps; ++k) {
       Vec3 now = place(top.past[static_cast<std::size_t>(k)]);
       float share = static_cast<float>(k) / kSheetSteps;
-      float size =
-          std::max(0.02f, smooth_step(row / rows, row / rows + 0.25f * (1.02f - row / rows) + 0.1f, share));
+      float grown = row / rows + kMoreGrowth * (1.02f - row / rows) + kLeastGrowth;
+      float size = std::max(kSmallest, smooth_step(row / rows, grown, share));
       for (std::uint32_t v = first; v < lawn.surface.position.size(); ++v)
         lawn.past[static_cast<std::size_t>(k)].push_back(now + (lawn.surface.position[v] - foot) * size);
     }

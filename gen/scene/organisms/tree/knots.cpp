@@ -10,13 +10,17 @@ namespace frond {
 
 namespace {
 
-constexpr double kRots = 12;       // years in which half of a stub's length rots away
-constexpr float kTold = 0.1f;      // of what bore it: thinner boughs leave nothing that is seen
-constexpr float kLip = 1.35f;      // of the bough's radius: the ring of bark round the stub
-constexpr float kCloses = 1.6f;    // radii of new wood that close the wound
-constexpr float kSinks = 5;        // radii of new wood under which nothing is left of it
-constexpr float kSteepest = 0.4f;  // sine of the least angle between a bough and what bears it
-constexpr float kDeep = 1.5f;      // radii below the bark at which all of its lip is hidden
+constexpr double kShortStub = 0.4, kLongStub = 2.6;  // of the bough's radius, where `length` is 1
+constexpr double kRots = 12;                         // years in which half of a stub's length rots away
+constexpr float kTold = 0.1f;       // of what bore it: thinner boughs leave nothing that is seen
+constexpr float kLip = 1.35f;       // of the bough's radius: the ring of bark round the stub
+constexpr float kCloses = 1.6f;     // radii of new wood that close the wound
+constexpr float kSinks = 5;         // radii of new wood under which nothing is left of it
+constexpr float kSteepest = 0.4f;   // sine of the least angle between a bough and what bears it
+constexpr float kDeep = 1.5f;       // radii below the bark at which all of its lip is hidden
+constexpr float kStubEnd = 0.85f;   // of the bough's radius: the bare end of a stub
+constexpr float kStubBulge = 1.1f;  // of it: the bark over an end that is closed
+constexpr float kStandsOut = 0.1f;  // of it: how far an end is out of the bark at least
 const Color kOldWood{0.33f, 0.27f, 0.21f}, kHollow{0.055f, 0.04f, 0.03f};
 
 /// A weathered end, 1 wide at its foot: rough wood round a hollow.
@@ -56,18 +60,19 @@ std::vector<Knot> add_knots(Skeleton& skeleton, const Standing& now, const Grown
     Vec3 direction = glm::normalize(Quat(glm::normalize(then), along) * scar.direction);
     float sine = std::max(glm::length(glm::cross(direction, along)), kSteepest), r = scar.radius;
     float bark = skeleton.radius[node[i]] / sine;
-    double left = seed.child(scar.id).range(0.4, 2.6) * length * std::exp2((scar.fell - year) / kRots);
+    double left =
+        seed.child(scar.id).range(kShortStub, kLongStub) * length * std::exp2((scar.fell - year) / kRots);
     float wood = scar.girth / sine + r * static_cast<float>(left), over = (bark - wood) / r;
     float sunk = std::clamp((over - kCloses) / kSinks, 0.0f, 1.0f);
     if (sunk >= 1) continue;
-    float end = std::max(wood, bark + r * (0.1f - kDeep / sine * sunk)),
+    float end = std::max(wood, bark + r * (kStandsOut - kDeep / sine * sunk)),
           closed = std::clamp(over / kCloses, 0.0f, 1.0f);
     Vec3 foot = now.tip[i];
     std::int32_t lip = skeleton.add(foot + direction * std::min(bark, end - 0.05f * r), kLip * r, node[i],
                                     static_cast<std::uint16_t>(skeleton.order[node[i]] + 1));
-    std::int32_t tip =
-        skeleton.add(foot + direction * end, r * glm::mix(0.85f, 1.1f, closed), lip, skeleton.order[lip]);
-    knots.push_back({tip, direction, 0.85f * r * (1 - closed), scar.id});
+    std::int32_t tip = skeleton.add(foot + direction * end, r * glm::mix(kStubEnd, kStubBulge, closed), lip,
+                                    skeleton.order[lip]);
+    knots.push_back({tip, direction, kStubEnd * r * (1 - closed), scar.id});
   }
   return knots;
 }

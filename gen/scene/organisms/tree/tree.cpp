@@ -33,16 +33,16 @@ CutFace cut_of(const Standing& now, const GrownTree& tree) {
 
 namespace {
 
-constexpr double kSummer = 0.5;          // of a cycle: when it is looked at in the end
-constexpr float kSmallestSprig = 0.04f;  // share of its size
-constexpr double kOpenYears = 4,
-                 kClosedYears = 20;  // cycles for which a wound is open, and until it is closed
+constexpr double kSummer = 0.5;                      // of a cycle: when it is looked at in the end
+constexpr float kSmallestSprig = 0.04f;              // share of its size
+constexpr double kOpenYears = 4, kClosedYears = 20;  // cycles until a wound begins to close, and has closed
+constexpr float kFlareHeight = 4;                    // radii of the stem
 constexpr int kRootNodes = 5;
 constexpr int kPlateRoots = 36;
 
 /// The foot of the stem: wider toward the ground.
 float flared(const TreeParams& params, float base, float height) {
-  float t = std::clamp(1 - height / std::max(4 * base, 1e-4f), 0.0f, 1.0f);
+  float t = std::clamp(1 - height / std::max(kFlareHeight * base, 1e-4f), 0.0f, 1.0f);
   return 1 + static_cast<float>(params.flare) * t * t * t;
 }
 
@@ -90,6 +90,8 @@ std::int32_t add_stump(Skeleton& s, const Standing& now, const TreeParams& param
 
 /// Roots that run out from the foot of the stem and into the ground.
 void add_roots(Skeleton& s, const TreeParams& params, std::int32_t at, Seed seed) {
+  // Radii of the stem, by eye: how far out and how high they begin, and how deep they end.
+  constexpr float kRootFrom = 0.5f, kRootHigh = 0.55f, kRootDeep = 0.36f;
   if (s.size() < 2 || params.roots == 0) return;
   float base = s.radius[static_cast<std::size_t>(at)];
   Vec3 foot = s.position[static_cast<std::size_t>(at)];
@@ -103,8 +105,8 @@ void add_roots(Skeleton& s, const TreeParams& params, std::int32_t at, Seed seed
     auto bend = static_cast<float>(own.child(3).range(-0.4, 0.4));
     std::int32_t below = at;
     for (int i = 1; i <= kRootNodes; ++i) {
-      float t = static_cast<float>(i) / kRootNodes, far = base * 0.5f + length * t;
-      float high = base * (0.55f * (1 - t) * (1 - t) - 0.36f * t);
+      float t = static_cast<float>(i) / kRootNodes, far = base * kRootFrom + length * t;
+      float high = base * (kRootHigh * (1 - t) * (1 - t) - kRootDeep * t);
       below = s.add(foot + out * far + across * (bend * far * t) + Vec3(0, high, 0),
                     thick * (1.15f - 0.75f * t), below, static_cast<std::uint16_t>(1));
     }
@@ -121,8 +123,9 @@ void add_root_plate(Skeleton& s, Seed seed) {
     double turn = 2 * kPi * (k + own.child(0).range(-0.4, 0.4)) / kPlateRoots;
     Vec3 out(static_cast<float>(std::cos(turn)), 0, static_cast<float>(std::sin(turn)));
     auto far = reach * static_cast<float>(own.child(1).range(0.55, 0.98));
-    auto deep =
-        reach * static_cast<float>(k % 3 == 0 ? own.child(2).range(0.3, 0.5) : own.child(2).range(0.04, 0.2));
+    const bool sinker = k % 3 == 0;
+    const double down = sinker ? own.child(2).range(0.3, 0.5) : own.child(2).range(0.04, 0.2);
+    auto deep = reach * static_cast<float>(down);
     auto bend = static_cast<float>(own.child(3).range(-0.5, 0.5));
     float thick = base * static_cast<float>(own.child(4).range(0.08, 0.2));
     std::int32_t below = 0;
@@ -177,15 +180,18 @@ std::vector<Prototype> sprig_prototypes(const TreeParams& params) {
 
 /// A sprig's frame: along it, and its upper side to the sky.
 Quat sprig_turn(Vec3 heading, Vec3 side, const Foliage& leaves, bool leads, Seed seed) {
-  float open = leads ? 0.15f : static_cast<float>(leaves.spread * seed.child(1).range(0.7, 1.25));
+  constexpr float kLeadsAside = 0.15f;  // radians between a branch and the sprig at its end
+  constexpr float kScatter = 0.18f;
+  constexpr double kSkyScatter = 0.45;
+  float open = leads ? kLeadsAside : static_cast<float>(leaves.spread * seed.child(1).range(0.7, 1.25));
   Vec3 along = heading * std::cos(open) + side * std::sin(open);
   auto hang = static_cast<float>(leaves.hang);
   along = glm::normalize(along * (1 - hang) + Vec3(0, -1, 0) * hang +
-                         0.18f * Vec3(static_cast<float>(seed.child(2).range(-1, 1)),
-                                      static_cast<float>(seed.child(3).range(-1, 1)),
-                                      static_cast<float>(seed.child(4).range(-1, 1))));
-  Vec3 sky(static_cast<float>(seed.child(5).range(-0.45, 0.45)), 1,
-           static_cast<float>(seed.child(6).range(-0.45, 0.45)));
+                         kScatter * Vec3(static_cast<float>(seed.child(2).range(-1, 1)),
+                                         static_cast<float>(seed.child(3).range(-1, 1)),
+                                         static_cast<float>(seed.child(4).range(-1, 1))));
+  Vec3 sky(static_cast<float>(seed.child(5).range(-kSkyScatter, kSkyScatter)), 1,
+           static_cast<float>(seed.child(6).range(-kSkyScatter, kSkyScatter)));
   Vec3 up = sky - along * glm::dot(sky, along);
   if (glm::length(up) < 0.2f) up = side - along * glm::dot(side, along);
   if (glm::length(up) < 1e-3f) up = glm::cross(along, Vec3(1, 0, 0.3f));
@@ -369,6 +375,7 @@ Model grow_tree(const TreeParams& params, Seed seed) {
 double estimate_tree_nodes(const TreeParams& params, Seed seed) {
   constexpr double kToldBy = 60'000;  // nodes: as large as it must be for its later growth to be told from it
   constexpr double kSteepest = 4;  // power, of large trees: the crown widens, and its leaves shade each other
+  constexpr double kOpenGrows = 1.35;  // a crown that is not closed yet grows by a third to a half in a cycle
   TreeParams young = params;
   young.species = in_cycles(params.species);
   const int cycles = cycles_of(params);
@@ -381,8 +388,7 @@ double estimate_tree_nodes(const TreeParams& params, Seed seed) {
     if (young.years == cycles) return nodes;
     if (nodes > kToldBy) break;
     since = young.years;
-    // A crown that is not closed yet grows by a third to a half in a cycle.
-    int more = std::clamp(static_cast<int>(std::log(1.2 * kToldBy / nodes) / std::log(1.35)), 2, 8);
+    int more = std::clamp(static_cast<int>(std::log(1.2 * kToldBy / nodes) / std::log(kOpenGrows)), 2, 8);
     young.years = std::min(cycles, young.years + more);
   }
   double power = since > 0 ? std::log(nodes / before) / std::log(double(young.years) / since) : kSteepest;

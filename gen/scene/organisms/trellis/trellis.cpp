@@ -14,6 +14,9 @@ constexpr double kTrellisRing = 0.004;  // metres from ring to ring of the timbe
 }  // namespace
 
 Model build_trellis_model(const TrellisParams& params, Seed seed) {
+  constexpr double kNearestPith = 0.03, kFarthestPith = 0.14;  // metres from the middle of a part, across
+  constexpr double kPithBelow = 0.02, kAlongTrunk = 20;        // metres; to either side of the trunk's middle
+  constexpr double kWeatherVaries = 0.25;                      // to either side of the weathering
   Model model;
   Material metal{Matter::plain, params.metal, params.metal};
   metal.gloss = 0.3;
@@ -28,10 +31,12 @@ Model build_trellis_model(const TrellisParams& params, Seed seed) {
     Material wood{Matter::timber,
                   toned(params.color, 1 + params.variation * own.child("tone").range(-1, 1), 0),
                   params.second, kTrellisRing};
-    wood.relief = std::clamp(params.weathering + 0.25 * own.child("weather").range(-1, 1), 0.0, 1.0);
+    wood.relief =
+        std::clamp(params.weathering + kWeatherVaries * own.child("weather").range(-1, 1), 0.0, 1.0);
     wood.moss = params.moss, wood.gloss = 0.03;
     // Each shows a part of its own of the trunk that it was sawn from, whose pith is the x axis.
-    Vec3 shift(own.child("along").range(-20, 20), own.child("pith").range(0.03, 0.14), 0.02);
+    Vec3 shift(own.child("along").range(-kAlongTrunk, kAlongTrunk),
+               own.child("pith").range(kNearestPith, kFarthestPith), kPithBelow);
     for (Vec3& p : part.surface.position) p += shift;
     model.solids.place(model.solids.add_shape({std::move(part.surface), wood}), part.at - part.turn * shift,
                        part.turn);

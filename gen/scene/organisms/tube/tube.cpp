@@ -13,22 +13,29 @@ namespace frond {
 namespace {
 
 std::vector<MarginStart> tube_starts(const TubeParams& params, Seed seed) {
+  constexpr double kDiameter = 2.15, kWallRoom = 1.5;  // in radii, and in thicknesses of the wall
+  constexpr double kPacking = 0.36;  // square of the radius of all feet, in pitches, for each tube
+  constexpr double kTubeTurn = radians(137.508);  // from tube to tube: the golden angle
+  constexpr double kLean = 1.6;                   // above 1, as tubes turn upward while they grow
+  constexpr float kTubeFoot = 0.012f;             // metres below the ground
+  constexpr double kOuterShorter = 0.35;          // of the reach, at most
   std::vector<MarginStart> starts;
   // As near to each other as they have room.
-  double pitch = 2.15 * params.radius + std::max(2 * params.edge, 1.5 * params.wall);
-  double around = pitch * std::sqrt(0.36 * params.tubes);
+  double pitch = kDiameter * params.radius + std::max(2 * params.edge, kWallRoom * params.wall);
+  double around = pitch * std::sqrt(kPacking * params.tubes);
   double outward = std::max(0.0, (params.across / 2 - around) / params.height);
   for (int i = 0; i < params.tubes; ++i) {
     Seed own = seed.child("tube", static_cast<std::uint64_t>(i));
-    double share = params.tubes > 1 ? std::sqrt((i + 0.5) / params.tubes) : 0, angle = radians(137.508) * i;
+    double share = params.tubes > 1 ? std::sqrt((i + 0.5) / params.tubes) : 0, angle = kTubeTurn * i;
     Vec3 out(static_cast<float>(std::cos(angle)), 0, static_cast<float>(std::sin(angle)));
     Vec3 lean =
-        Vec3(0, 1, 0) + out * static_cast<float>(1.6 * outward * share * own.child("lean").range(0.9, 1.1));
+        Vec3(0, 1, 0) + out * static_cast<float>(kLean * outward * share * own.child("lean").range(0.9, 1.1));
     double radius = params.radius * own.child("radius").range(0.75, 1.0);
-    MarginStart start = ring_start(out * static_cast<float>(around * share) - Vec3(0, 0.012f, 0), radius,
+    MarginStart start = ring_start(out * static_cast<float>(around * share) - Vec3(0, kTubeFoot, 0), radius,
                                    angle, 2 * kPi, kPi / 2 - params.bulge, params.edge);
     for (Vec3& h : start.heading) h = glm::normalize(h + lean - Vec3(0, 1, 0));
-    start.reach = params.tubes == 1 ? 1 : own.child("reach").range(0.55, 1) * (1 - 0.35 * share * share);
+    start.reach =
+        params.tubes == 1 ? 1 : own.child("reach").range(0.55, 1) * (1 - kOuterShorter * share * share);
     starts.push_back(std::move(start));
   }
   return starts;
@@ -37,6 +44,12 @@ std::vector<MarginStart> tube_starts(const TubeParams& params, Seed seed) {
 }  // namespace
 
 Result<Model> grow_tube(const TubeParams& params, const Surroundings& around, Seed seed) {
+  // Thickness of the wall inside and outside, in that of TubeParams: at the rim, and what comes with age.
+  constexpr float kInnerRim = 0.25f, kInnerMore = 0.25f, kInnerAge = 0.2f;
+  constexpr float kOuterRim = 0.3f, kOuterMore = 0.35f, kOuterAge = 0.15f;
+  constexpr float kLumpy = 0.9f, kDeepestHollow = -0.3f;  // of what is uneven: its factor, and its least
+  constexpr float kRibHeight = 0.8f, kRibBends = 0.15f;   // of what is uneven; radians round the axis
+  constexpr float kRibsUpright = 0.25f;                   // bends along the tube by those across it
   Margin law{.reach = 1.03 * params.height,
              .edge = params.edge,
              .stiffness = 0.6,
@@ -53,17 +66,18 @@ Result<Model> grow_tube(const TubeParams& params, const Surroundings& around, Se
   auto often = static_cast<float>(1 / params.lump_size), ribs = static_cast<float>(params.ribs);
   SheetSkin skin;
   skin.upper = [=](std::uint32_t, float age) {
-    return 0.25f * wall + 0.25f * wall * smooth_step(0.0f, 0.2f, age);
+    return kInnerRim * wall + kInnerMore * wall * smooth_step(0.0f, kInnerAge, age);
   };
   skin.lower = [&, wall, lumps, often, ribs](std::uint32_t v, float age) {
     Vec3 at = sheet.position[v];
     float uneven = lumps * static_cast<float>(fractal_noise(at * often + lot, 3));
     if (ribs > 0) {
-      Vec3 wave(at.x, 0.25f * at.y, at.z);
-      float bent = std::atan2(at.z, at.x) + 0.15f * static_cast<float>(noise(wave * often * 0.5f + lot));
-      uneven += 0.8f * std::pow(0.5f + 0.5f * std::cos(ribs * bent), 2.0f);
+      Vec3 wave(at.x, kRibsUpright * at.y, at.z);
+      float bent = std::atan2(at.z, at.x) + kRibBends * static_cast<float>(noise(wave * often * 0.5f + lot));
+      uneven += kRibHeight * std::pow(0.5f + 0.5f * std::cos(ribs * bent), 2.0f);
     }
-    return wall * (0.3f + (0.35f + 0.9f * std::max(-0.3f, uneven)) * smooth_step(0.0f, 0.15f, age));
+    return wall * (kOuterRim + (kOuterMore + kLumpy * std::max(kDeepestHollow, uneven)) *
+                                   smooth_step(0.0f, kOuterAge, age));
   };
   skin.lines = params.form == TubeForm::pipes ? 0 : 0.08 * params.wall;
   skin.line = 1.5 * params.lump_size;

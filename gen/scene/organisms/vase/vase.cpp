@@ -9,6 +9,7 @@ namespace frond {
 namespace {
 
 constexpr double kFollows = 2e-5;  // metres by which turned curves may lie off the lip and the inside
+constexpr Color kMoistEarth{0.23f, 0.16f, 0.11f}, kDryEarth{0.42f, 0.34f, 0.25f};
 
 Material material_of(const VaseParams& params, double height, Seed seed) {
   auto brighter = static_cast<float>(1 + params.variation * seed.child("tone").range(-1, 1));
@@ -55,8 +56,8 @@ Result<Model> grow_vase(const VaseParams& params, Seed seed) {
     Soil soil = vessel_soil(*profile, params.soil, params.shape.sides, seed.child("soil"));
     Material earth;
     earth.matter = Matter::soil;
-    earth.color = {0.23f, 0.16f, 0.11f};
-    earth.second = {0.42f, 0.34f, 0.25f};
+    earth.color = kMoistEarth;
+    earth.second = kDryEarth;
     earth.scale = 0.02;
     model.solids.place(model.solids.add_shape({std::move(soil.surface), earth, {}}));
   }
@@ -136,7 +137,8 @@ class VaseGrower final : public Described<VaseParams, BodyBuilder> {
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
     SizeEstimate vase;
-    vase.triangles = 4.4 * params.shape.sides * params.shape.rings;
+    constexpr double kTriangles = 4.4;  // a side of a ring: 2 outside, 2 inside, and what lip and foot have
+    vase.triangles = kTriangles * params.shape.sides * params.shape.rings;
     vase.blocks = 1;
     return vase;
   }

@@ -12,14 +12,18 @@ namespace {
 
 constexpr std::uint16_t kBrickShapes = 10;  // of their own wear and tone
 
+// Blocks are boxes of size 1 that are stretched to their places. Their edges are rounded as of these, metres.
+constexpr Vec3 kSillBlock(1, 0.15f, 0.28f), kFrameBar(0.05f, 0.6f, 0.05f), kPaneSheet(0.4f, 0.4f, 0.006f);
+constexpr Color kDarkGlass{0.05f, 0.06f, 0.07f}, kBareWood{0.36f, 0.29f, 0.21f};
+
 /// The shapes of bricks, of differing tone, then those of stone, wood and panes.
 void add_block_shapes(Solids& solids, const WallParams& p, Seed seed) {
+  constexpr double kBurnt = 0.62;  // brightness of the last one, which came out of the fire nearly black
   Vec3 stretcher = p.shape.brick;
   for (std::uint16_t i = 0; i < kBrickShapes; ++i) {
     Seed own = seed.child("brick", i);
     Material clay{Matter::brick};
-    // One in ten came out of the fire nearly black.
-    double burnt = i == kBrickShapes - 1 ? 0.62 : 1;
+    double burnt = i == kBrickShapes - 1 ? kBurnt : 1;
     clay.color = toned(p.bricks[i % p.bricks.size()], burnt * own.child(0).range(0.86, 1.14),
                        own.child(1).range(-0.05, 0.05));
     clay.second = p.mortar;
@@ -27,13 +31,13 @@ void add_block_shapes(Solids& solids, const WallParams& p, Seed seed) {
     solids.add_shape({worn_block(stretcher, p.shape.wear, own), clay});
   }
   Material stone{Matter::limestone, p.stone, toned(p.stone, 0.6, 0)}, wood{Matter::paint, p.paint},
-      pane{Matter::pane, {0.05f, 0.06f, 0.07f}};
+      pane{Matter::pane, kDarkGlass};
   stone.moss = wood.moss = p.weathering;
   stone.scale = 0.12;
-  wood.scale = 0.03, wood.second = {0.36f, 0.29f, 0.21f};
-  solids.add_shape({worn_block(Vec3(1, 0.15f, 0.28f), 0.8 * p.shape.wear, seed.child("stone")), stone});
-  solids.add_shape({worn_block(Vec3(0.05f, 0.6f, 0.05f), 0, seed.child("wood")), wood});
-  solids.add_shape({worn_block(Vec3(0.4f, 0.4f, 0.006f), 0, seed.child("pane")), pane});
+  wood.scale = 0.03, wood.second = kBareWood;
+  solids.add_shape({worn_block(kSillBlock, 0.8 * p.shape.wear, seed.child("stone")), stone});
+  solids.add_shape({worn_block(kFrameBar, 0, seed.child("wood")), wood});
+  solids.add_shape({worn_block(kPaneSheet, 0, seed.child("pane")), pane});
 }
 
 std::uint16_t shape_of(WallPart part, Seed seed) {
@@ -79,13 +83,15 @@ Vec2 along(const PlaceLine& line) {
 
 /// Whether a line across this one ends where this one does, on the side of that sign.
 bool meets_at(std::span<const PlaceLine> lines, const PlaceLine& line, double side) {
+  constexpr float kAcross = 0.5f;      // most cosine of the angle between them: 60 degrees at least
+  constexpr float kSamePlace = 0.01f;  // metres
   auto end_of = [](const PlaceLine& l, double sign) {
     return l.at + static_cast<float>(sign * l.length / 2) * along(l);
   };
   return std::ranges::any_of(lines, [&](const PlaceLine& other) {
     auto nearest = std::min(glm::distance(end_of(other, 1), end_of(line, side)),
                             glm::distance(end_of(other, -1), end_of(line, side)));
-    return std::abs(glm::dot(along(other), along(line))) < 0.5f && nearest < 0.01f;
+    return std::abs(glm::dot(along(other), along(line))) < kAcross && nearest < kSamePlace;
   });
 }
 
@@ -165,10 +171,11 @@ class WallGrower final : public Described<WallParams, BodyBuilder> {
 
   Review review() const override { return {}; }
   Result<SizeEstimate> estimate_size(Seed) const override {
+    constexpr double kBlockTriangles = 18'000;  // of all shapes of blocks together
     const WallShape& w = params.shape;
     SizeEstimate wall;
     wall.blocks = w.width * w.height / ((w.brick.x + w.joint) * (w.brick.y + w.joint));
-    wall.triangles = 18'000;
+    wall.triangles = kBlockTriangles;
     return wall;
   }
   Result<Model> grow_alone(Seed seed) const override { return build_wall_model(params, seed); }
