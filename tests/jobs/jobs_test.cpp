@@ -84,7 +84,7 @@ TEST(NinjaText, FilmHoldsTheFramesOfTheListOnly) {
   std::string text = ninja_text(jobs);
   EXPECT_EQ(paragraph(text, "build film.mp4"),
             "build film.mp4: film $\n    frames/frame_0005.png $\n    frames/frame_0006.png");
-  EXPECT_EQ(count(text, "frames/frame_0006.png"), 5) << "rendered, in each format of the film, on the sheet";
+  EXPECT_EQ(count(text, "frames/frame_0006.png"), 6) << "rendered, in each format of the film, on the sheet";
   EXPECT_TRUE(contains(text, "\ndefault film.mp4 contact.png\n"));
   EXPECT_TRUE(contains(text, "fps = 12.5\n"));
   EXPECT_FALSE(contains(text, "still.png"));
