@@ -15,7 +15,7 @@ inline constexpr float kRimPace = 0.8f;  // width of a row, in edges
 inline constexpr int kRimRounds = 8;     // rounds of relaxation
 inline constexpr float kRimBow =
     0.55f;  // a sheet bends to a half circle at most: chord by arc, slightly less
-inline constexpr float kRimStill = 0.25f;  // share of the full pace; a slower vertex has stopped for good
+inline constexpr float kRimStill = 0.125f;  // share of the full pace; a slower vertex has stopped for good
 inline constexpr std::uint32_t kRimNobody = ~0u;
 
 /// One rim while it grows.

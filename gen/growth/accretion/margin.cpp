@@ -72,7 +72,7 @@ void GrowingSheets::set_paces(GrowingRim& rim) {
     shift_[i].y = std::min(own, mean);
   }
   for (std::size_t i = 0; i < rim.size(); ++i)
-    if (pace[i] != 0) pace[i] = shift_[i].y < kRimStill * 0.5f ? 0 : shift_[i].y;
+    if (pace[i] != 0) pace[i] = shift_[i].y < kRimStill ? 0 : shift_[i].y;
 }
 
 /// Where each place of the rim would go if it were alone.

@@ -1,5 +1,7 @@
 #include "organisms/weber_penn/weber_penn.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -187,7 +189,9 @@ class WeberPennGrower final : public Described<WeberPennParams, LoneGrower> {
   Review review() const override {
     if (Errors errors = check_guide(params.guide); !errors.empty()) return {errors};
     if (estimate_nodes(params.tree) < kMostNodes) return {check_pictures(params.appearance)};
-    return {{{"", "the tree would have more than 4000000 nodes; fewer branches, splits or segments"}}};
+    return {
+        {{"", fmt::format("the tree would have more than {:.0f} nodes; fewer branches, splits or segments",
+                          kMostNodes)}}};
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
     const WeberPenn& form = params.tree;
