@@ -94,7 +94,10 @@ export function filmPanel(store: Store, view: View): FilmPanel {
     while (films.some(atWork)) {
       await sleep(films.some((f) => f.state === "waiting" || f.state === "rendering") ? SOON : LATE);
       const now = await api.films().catch(() => null);
-      if (!now) break;
+      if (!now) {
+        await sleep(LATE); // it may answer again
+        continue;
+      }
       films = now;
       show();
       const shown = films.find((f) => f.id === player.shown());
