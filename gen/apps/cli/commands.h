@@ -190,7 +190,7 @@ struct RenderArguments {
   PresetArguments preset;
   std::string out;                    ///< folder; empty: out/<preset name>
   std::optional<std::string> frames;  ///< A-B
-  std::string format;                 ///< of the film: mp4, webm, gif or mov; empty: mp4, or mov with opacity
+  std::string format;                 ///< of the film: one of kFilmFormats; empty: mp4, or mov with opacity
   int jobs = 0;                       ///< processors that render; 0: all
   int threads = 0;                    ///< that generate; 0: all
   int every = 1;                      ///< each K-th frame first, then those between

@@ -92,13 +92,13 @@ void add_film(CLI::App& app, int& result) {
   command->add_option("list", to->list, "A file that names PNG pictures, one a line")->required();
   command
       ->add_option("file", to->file,
-                   "FILM.mp4, FILM.webm, FILM.gif or FILM.mov (ProRes 4444); a sheet, or a copy of one "
-                   "picture, is a FILE.png")
+                   "FILM.mp4, FILM.webm, FILM.gif, FILM.webp or FILM.mov (ProRes 4444); a sheet, or a copy "
+                   "of one picture, is a FILE.png")
       ->required();
   command->add_option("--fps", to->fps, "Frames a second (24)");
   command->add_option("--title", to->title, "For the film's metadata, of a GIF for a comment");
   command->add_option("--comment", to->comment, "The same");
-  command->add_flag("--alpha", to->alpha, "Keeps the opacity of the pictures, in a webm, gif or mov");
+  command->add_flag("--alpha", to->alpha, "Keeps the opacity of the pictures, in a webm, gif, webp or mov");
   command->add_option("--dpi", to->dpi, "Pixels an inch, which the copy of one picture says");
   command->add_option("--columns", to->columns, "Of a sheet")->check(CLI::Range(1, 1000));
   command->add_option("--width", to->width, "Pixels, of each picture of a sheet at most (240)")

@@ -151,13 +151,13 @@ double pixel_at(const Preset& preset, const Organism& organism, double tall, dou
 
 /// Triangles of a body that are written: no finer than the camera sees them.
 double drawn_triangles(const Preset& preset, const Organism& organism, const SizeEstimate& size) {
-  constexpr double kBodyShown = 0.4, kSkinShown = 0.55;  // share that is left, as measured over the presets
+  constexpr double kBodyShown = 0.4;  // share that is left, as measured over the presets
   if (size.area <= 0) return kBodyShown * size.triangles;
   Spread spread = organism.grower->spread().value_or(Spread{});
   // Where others grow beside it, it fills less of the space that it would claim alone.
   float reach = 0.75f * std::max(spread.across, spread.up / 2);
   double pixel = pixel_at(preset, organism, spread.up, reach);
-  return kSkinShown * std::min(size.triangles, most_triangles(size.area, pixel, preset.film.quality));
+  return left_triangles(size.triangles, size.area, pixel, preset.film.quality);
 }
 
 /// Whether its tips may come out of the light of the first frame; see light_changes().

@@ -20,6 +20,13 @@ constexpr std::size_t kFlat = 16;      // times as large may triangles be that h
 constexpr float kSmooth = 0.8f;        // cosine of how far a normal may be from that of its triangle
 constexpr double kUnseenPixels = 4;    // as coarse is what only throws a shadow
 constexpr std::size_t kLeastTriangles = 100;
+constexpr double kTriangleArea = 0.43;  // of a triangle with sides of 1: sqrt(3) / 4
+
+/// How many triangles of a surface of an area, m2, still show where a pixel is so many metres.
+double most_triangles(double area, double pixel, Quality quality) {
+  double edge = kSidePixels[static_cast<std::size_t>(quality)] * pixel;
+  return area / (kTriangleArea * edge * edge);
+}
 
 /// The normal of a triangle, of length 1; +y where the triangle has no size.
 Vec3 facing_of(const std::vector<Vec3>& position, const Coarser& coarser,
@@ -70,9 +77,11 @@ std::vector<DrawnBody> growing_bodies(const Solids& solids, const Growth& growth
   return bodies;
 }
 
-double most_triangles(double area, double pixel, Quality quality) {
-  double edge = kSidePixels[static_cast<std::size_t>(quality)] * pixel;
-  return area / (0.43 * edge * edge);
+double left_triangles(double triangles, double area, double pixel, Quality quality) {
+  constexpr double kHalved = 0.055, kSlope = 1.25;  // errors in edges that leave a half, and how that goes on
+  double edge = std::sqrt(area / (kTriangleArea * triangles));
+  double off = kPatternShare * kOffPixels[static_cast<std::size_t>(quality)] * pixel / edge;
+  return std::min(triangles / (1 + std::pow(off / kHalved, kSlope)), most_triangles(area, pixel, quality));
 }
 
 std::optional<Coarser> coarser(const Surface& whole, double pixel, Quality quality, bool edged) {

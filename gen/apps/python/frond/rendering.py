@@ -67,7 +67,7 @@ def render(preset: Union[Preset, Path], out: Path, *, frames: Optional[Tuple[int
     """Starts to render a preset into a folder: `frond.render(preset, "out/reef").wait()`.
 
     `frames` are the first and the last, `size` width and height in pixels, `quality` is draft, good or best; `format` is
-    mp4, webm, gif or mov, or what suits; `jobs` is how many processors render, 0 all. FrondError where the preset is wrong.
+    mp4, webm, gif, webp or mov, or what suits; `jobs` is how many processors render, 0 all. FrondError where the preset is wrong.
     """
     source = preset.source() if isinstance(preset, Preset) else (None, os.fspath(preset), {}, None)
     text, file, values, assets = source
