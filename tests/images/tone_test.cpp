@@ -45,6 +45,53 @@ TEST(Tone, ContrastTurnsAboutMiddleGrey) {
   EXPECT_GT(toned(0.4, steep), 0.4);
 }
 
+/// Linear again, of what is seen in the middle of a picture.
+std::array<double, 3> seen_light(const std::array<double, 3>& light, const Tone& tone) {
+  std::array<double, 3> color = seen(light, tone, {50, 50}, {101, 101});
+  for (double& channel : color) channel = linear(channel);
+  return color;
+}
+
+double luminance_of(const std::array<double, 3>& light) {
+  return 0.2126 * light[0] + 0.7152 * light[1] + 0.0722 * light[2];
+}
+
+TEST(Tone, SaturationAndWarmthKeepTheLuminance) {
+  const std::array<double, 3> green{0.1, 0.3, 0.05}, grey{0.2, 0.2, 0.2};
+  for (Tone tone : {Tone{.saturation = 0.5}, Tone{.saturation = 1.2}, Tone{.warmth = 0.2},
+                    Tone{.highlights = 1, .saturation = 0.8, .warmth = -0.1}})
+    for (const auto& light : {green, grey}) {
+      double plain = luminance_of(seen_light(light, {tone.highlights, tone.contrast}));
+      EXPECT_NEAR(luminance_of(seen_light(light, tone)), plain, 1e-9);
+    }
+  std::array<double, 3> without = seen_light(green, {.saturation = 0});
+  EXPECT_NEAR(without[0], without[1], 1e-9);
+  EXPECT_NEAR(without[2], without[1], 1e-9);
+  std::array<double, 3> less = seen_light(green, {.saturation = 0.75});
+  EXPECT_NEAR((less[1] - less[2]) / (green[1] - green[2]), 0.75, 1e-9);
+}
+
+TEST(Tone, WarmthIsOfLightAndNotOfShade) {
+  Tone warm{.warmth = 0.2};
+  std::array<double, 3> bright = seen_light({0.8, 0.8, 0.8}, warm),
+                        dark = seen_light({0.02, 0.02, 0.02}, warm);
+  EXPECT_GT(bright[0], 1.1 * bright[2]);
+  EXPECT_GT(dark[2], 1.1 * dark[0]);
+  double middle = linear(0.5);
+  std::array<double, 3> between = seen_light({middle, middle, middle}, warm);
+  EXPECT_NEAR(between[0], between[2], 1e-9);
+}
+
+TEST(Tone, CornersLoseTheirShareOfLightAndTheMiddleNone) {
+  Tone tone{.vignette = 0.3};
+  auto left = [&](int x, int y) { return linear(seen({0.5, 0.5, 0.5}, tone, {x, y}, {2001, 1001})[0]); };
+  EXPECT_NEAR(left(1000, 500), 0.5, 1e-9);
+  for (int x : {0, 2000})
+    for (int y : {0, 1000}) EXPECT_NEAR(left(x, y), 0.35, 0.001);
+  EXPECT_NEAR(left(0, 500), left(2000, 500), 1e-12);
+  EXPECT_GT(left(0, 500), left(0, 0));
+}
+
 /// A row of pixels of 16 bits, as POV-Ray writes it: sRGB.
 std::string fine_png(const std::vector<double>& lights) {
   png_image image{};
@@ -110,6 +157,7 @@ TEST(Develop, PicturesThatAreTooLargeToBeHeldAreMadeInBandsAndTheSame) {
         std::vector<std::string> pngs{noisy_png(kWide, kHigh, channels, 1),
                                       noisy_png(kWide, kHigh, channels, 2)};
         Tone tone{1.5, 1.1};
+        if (depth == 16) tone.saturation = 0.8, tone.warmth = 0.1, tone.vignette = 0.4;
         Result<std::string> whole = develop(pngs, tone, depth), bands = develop(pngs, tone, depth, held);
         ASSERT_TRUE(whole && bands);
         PngSamples a = *read_samples(*whole), b = *read_samples(*bands);

@@ -26,6 +26,14 @@ TEST(SceneHead, SaysHowThePictureIsDeveloped) {
   EXPECT_EQ(head.exposures, 1);
   EXPECT_EQ(head.tone.highlights, 1.5);
   EXPECT_EQ(head.tone.contrast, 1.1);
+  head = read_scene_head(
+      "// +FN16; then frond develop --highlights 2 --contrast 1 --saturation 0.85 --vignette 0.15 --depth "
+      "16");
+  EXPECT_TRUE(head.fine);
+  EXPECT_EQ(head.tone.saturation, 0.85);
+  EXPECT_EQ(head.tone.warmth, 0);
+  EXPECT_EQ(head.tone.vignette, 0.15);
+  EXPECT_EQ(head.depth, 16);
   head = read_scene_head("// +FN16; exposure 1 of 8; then frond develop --highlights 0 --contrast 1");
   EXPECT_TRUE(head.fine);
   EXPECT_EQ(head.exposures, 8);
@@ -57,7 +65,8 @@ TEST(SceneHead, SaysWhichPartIsDrawnAndHowItIsWritten) {
 TEST(SceneHead, TakesNothingElseForIt) {
   for (const char* odd :
        {"// +FN16; exposure 2 of 8", "// +FN16; then frond develop --highlights x --contrast 1",
-        "// +FN16; then frond develop --highlights 1 --contrast 1; rm"}) {
+        "// +FN16; then frond develop --highlights 1 --contrast 1; rm",
+        "// +FN16; then frond develop --highlights 1 --contrast 1 --warmth x"}) {
     EXPECT_FALSE(read_scene_head(odd).fine) << odd;
     EXPECT_EQ(read_scene_head(odd).exposures, 1) << odd;
   }

@@ -166,6 +166,12 @@ setup() {
   [ "$status" -eq 1 ]
   [[ "$output" == *"frame_0001.pov: no PNG"* ]]
   [ ! -e x.png ]
+  "$frond" generate "$root/tests/presets/tiny_still.json" -o grey -q --set /scene/setting=meadow --size 20x16 \
+    --set /scene/camera/saturation=0 --set /scene/camera/vignette=0.5
+  [[ "$(head -n 1 grey/frames/frame_0001.pov)" == *'--highlights 0 --contrast 1 --saturation 0 --vignette 0.5' ]]
+  (cd grey && ninja frames/frame_0001.png)
+  ffmpeg -v error -i grey/frames/frame_0001.png -f rawvideo -pix_fmt rgb24 grey.rgb
+  python3 -c 'x = open("grey.rgb", "rb").read(); assert len(x) == 960 and max(x) > 40 and x[0::3] == x[1::3] == x[2::3]'
 }
 
 @test "look draws a picture and says how large all has grown" {

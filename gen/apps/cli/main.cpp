@@ -131,6 +131,12 @@ void add_develop(CLI::App& app, int& result) {
       ->check(CLI::Range(0.0, 6.0));
   command->add_option("--contrast", to->tone.contrast, "How steep the curve is at middle grey (1)")
       ->check(CLI::Range(0.5, 2.0));
+  command->add_option("--saturation", to->tone.saturation, "Factor of how colourful it is (1)")
+      ->check(CLI::Range(0.0, 2.0));
+  command->add_option("--warmth", to->tone.warmth, "Share of red that white gains and black loses (0)")
+      ->check(CLI::Range(-0.5, 0.5));
+  command->add_option("--vignette", to->tone.vignette, "Share of their light that the corners lose (0)")
+      ->check(CLI::Range(0.0, 1.0));
   command->add_option("--depth", to->depth, "8 or 16 bits a channel (8)")->check(CLI::IsMember({8, 16}));
   command->footer("Example:\n  frond develop frame_0001.png -o birch.png --highlights 2 --contrast 1.1");
   command->callback([&result, to] { result = develop_picture(*to); });

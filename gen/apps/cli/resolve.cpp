@@ -101,21 +101,24 @@ class RawRows {
   int first_ = 0;  // of those that are kept
 };
 
-/// Rows of a picture as people see it.
-PngSamples seen_rows(const LightPicture& light, const Film& film, const Tone& tone) {
-  auto share = [&](std::size_t i) {
-    return encoded(toned(static_cast<double>(light[i / 3][static_cast<int>(i % 3)]), tone));
-  };
+/// Rows of a picture as people see it, the first of them of that number.
+PngSamples seen_rows(const LightPicture& light, int first, const Film& film, const Tone& tone) {
   int rows = static_cast<int>(light.size() / static_cast<std::size_t>(film.size[0]));
-  PngSamples seen{film.size[0], rows, 3, film.depth == 16 ? 16 : 8, 45455, {}};
-  seen.data.resize(seen.row() * static_cast<std::size_t>(rows));
-  for (std::size_t i = 0; i < 3 * light.size(); ++i) {
-    if (seen.bits == 16)
-      seen.set16(i, share(i));
-    else
-      seen.data[i] = to_byte(share(i));
+  PngSamples rows_seen{film.size[0], rows, 3, film.depth == 16 ? 16 : 8, 45455, {}};
+  rows_seen.data.resize(rows_seen.row() * static_cast<std::size_t>(rows));
+  for (std::size_t p = 0; p < light.size(); ++p) {
+    auto n = static_cast<int>(p);
+    auto of = [&](int c) { return static_cast<double>(light[p][c]); };
+    std::array<double, 3> color =
+        seen({of(0), of(1), of(2)}, tone, {n % film.size[0], first + n / film.size[0]}, film.size);
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (rows_seen.bits == 16)
+        rows_seen.set16(3 * p + c, color[c]);
+      else
+        rows_seen.data[3 * p + c] = to_byte(color[c]);
+    }
   }
-  return seen;
+  return rows_seen;
 }
 
 /// Raw frames that are not there.
@@ -130,10 +133,10 @@ Errors missing_raws(const fs::path& folder, FrameRange range) {
 
 /// The bytes of a picture as people see it.
 Result<std::string> picture_bytes(const LightPicture& light, const Film& film, const Tone& tone) {
-  PngSamples seen = seen_rows(light, film, tone);
-  if (seen.bits == 16) return samples_text(seen);
+  PngSamples rows = seen_rows(light, 0, film, tone);
+  if (rows.bits == 16) return samples_text(rows);
   Raster picture(film.size[0], film.size[1], 3);
-  picture.data = std::move(seen.data);
+  picture.data = std::move(rows.data);
   return png_text(picture);
 }
 
@@ -143,10 +146,13 @@ Result<std::string> large_still(Resolver& resolver, const fs::path& raw, const F
   Result<RawRows> rows = RawRows::open(raw, film);
   if (!rows) return rows.errors();
   PngWriter writer({film.size[0], film.size[1], 3, film.depth == 16 ? 16 : 8, 45455, {}});
+  int done = 0;  // rows
   Errors errors =
       resolver.still_in_bands([&](int first, int count) { return rows->read(first, count); }, band,
                               [&](const LightPicture& light) {
-                                writer.add(seen_rows(light, film, tone));
+                                PngSamples part = seen_rows(light, done, film, tone);
+                                done += part.height;
+                                writer.add(part);
                                 return Errors{};
                               });
   return errors.empty() ? writer.finish() : Result<std::string>(errors);
@@ -205,7 +211,7 @@ int resolve(const ResolveArguments& arguments) {
   auto source = [&](int frame) { return read_raw(raws / (frame_name(frame) + ".png"), scene->film); };
   Resolver resolver(*scene, *traced, source, options_for(*scene, arguments));
   const Camera& camera = scene->setup.camera;
-  Tone tone{camera.highlights, camera.contrast};
+  Tone tone{camera.highlights, camera.contrast, camera.saturation, camera.warmth, camera.vignette};
   auto picture = [&](int frame) -> Result<std::string> {
     if (int band = band_of(*scene))
       return large_still(resolver, raws / (frame_name(frame) + ".png"), scene->film, tone, band);

@@ -19,6 +19,10 @@ constexpr double kKnee = 0.55;  ///< where highlights begin to bend
 
 double contrasted(double light, double contrast) { return kGrey * std::pow(light / kGrey, contrast); }
 
+double luminance(const std::array<double, 3>& light) {  // Rec. 709
+  return 0.2126 * light[0] + 0.7152 * light[1] + 0.0722 * light[2];
+}
+
 }  // namespace
 
 double toned(double light, const Tone& tone) {
@@ -29,12 +33,31 @@ double toned(double light, const Tone& tone) {
   return kKnee + (at - kKnee) / (1 + bend * (at - kKnee));
 }
 
+std::array<double, 3> seen(const std::array<double, 3>& light, const Tone& tone, std::array<int, 2> pixel,
+                           std::array<int, 2> size) {
+  auto from_middle = [&](std::size_t axis) { return 2.0 * pixel[axis] + 1 - size[axis]; };
+  double away = std::hypot(from_middle(0), from_middle(1)) / std::hypot(size[0], size[1]);  // 1: a corner
+  double left = 1 - tone.vignette * away * away;
+  std::array<double, 3> out{};
+  for (std::size_t c = 0; c < 3; ++c) out[c] = toned(left * light[c], tone);
+  double grey = luminance(out);
+  if (tone.saturation != 1)
+    for (double& channel : out) channel = std::max(0.0, grey + tone.saturation * (channel - grey));
+  if (tone.warmth != 0) {
+    double bright = 2 * encoded(std::min(grey, 1.0)) - 1;  // -1 black, 1 white
+    out[0] *= 1 + tone.warmth * bright, out[2] *= 1 - tone.warmth * bright;
+  }
+  double changed = luminance(out), factor = changed > 0 ? grey / changed : 1;
+  for (double& channel : out) channel = encoded(tone.is_curve() ? channel : std::min(1.0, factor * channel));
+  return out;
+}
+
 namespace {
 
-/// Brings the light of pictures, summed up, to the curve of a tone.
+/// Brings the light of pictures, summed up, to a tone.
 class Developer {
  public:
-  explicit Developer(const Tone& tone) : curve_(1 << 16) {
+  Developer(const Tone& tone, std::array<int, 2> size) : tone_(tone), size_(size), curve_(1 << 16) {
     for (std::size_t i = 0; i < curve_.size(); ++i)
       curve_[i] = encoded(toned(static_cast<double>(i) / 65535, tone));
   }
@@ -53,28 +76,50 @@ class Developer {
   PngSamples deep() const {
     PngSamples samples{width_, height_, channels_, 16, 45455, {}};
     samples.data.resize(2 * sum_.size());
-    for (std::size_t i = 0; i < sum_.size(); ++i) samples.set16(i, share(i));
+    each_sample([&](std::size_t i, double value) { samples.set16(i, value); });
     return samples;
   }
   Raster plain() const {
     Raster picture(width_, height_, channels_);
-    for (std::size_t i = 0; i < picture.data.size(); ++i) picture.data[i] = to_byte(share(i));
+    each_sample([&](std::size_t i, double value) { picture.data[i] = to_byte(value); });
     return picture;
   }
 
-  void begin_anew() { sum_.clear(), count_ = 0; }
+  /// Goes on with the rows below.
+  void begin_anew() { first_ += height_, sum_.clear(), count_ = 0; }
 
  private:
-  /// Colours are multiplied by their opacity.
-  double share(std::size_t i) const {
-    if (channels_ == 3) return curve_[(sum_[i] + count_ / 2) / count_];
+  /// The mean light of a colour, in 1 / 65535; colours were multiplied by their opacity.
+  std::size_t light(std::size_t i) const {
+    if (channels_ == 3) return (sum_[i] + count_ / 2) / count_;
     std::uint32_t opacity = sum_[i | 3];
-    if (i % 4 == 3) return static_cast<double>(opacity) / (65535.0 * count_);
-    if (opacity == 0) return 0.0;
-    return curve_[std::min<std::uint64_t>((std::uint64_t{sum_[i]} * 65535 + opacity / 2) / opacity, 65535)];
+    if (opacity == 0) return 0;
+    return std::min<std::uint64_t>((std::uint64_t{sum_[i]} * 65535 + opacity / 2) / opacity, 65535);
   }
 
+  /// Hands each sample of the rows on: its number and its value, 0 to 1.
+  template <class Use>
+  void each_sample(const Use& use) const {
+    auto step = static_cast<std::size_t>(channels_), row = static_cast<std::size_t>(width_);
+    for (std::size_t p = 0; p < sum_.size() / step; ++p) {
+      std::size_t at = p * step;
+      std::array<double, 3> colors{};
+      if (channels_ == 3 || sum_[at + 3] > 0) {
+        for (std::size_t c = 0; c < 3; ++c)
+          colors[c] = tone_.is_curve() ? curve_[light(at + c)] : static_cast<double>(light(at + c)) / 65535;
+        if (!tone_.is_curve())
+          colors =
+              seen(colors, tone_, {static_cast<int>(p % row), first_ + static_cast<int>(p / row)}, size_);
+      }
+      for (std::size_t c = 0; c < 3; ++c) use(at + c, colors[c]);
+      if (channels_ == 4) use(at + 3, static_cast<double>(sum_[at + 3]) / (65535.0 * count_));
+    }
+  }
+
+  Tone tone_;
+  std::array<int, 2> size_;  // of the whole picture
   std::vector<double> curve_;
+  int first_ = 0;  // row, of those that are added
   int width_ = 0, height_ = 0, channels_ = 3;
   std::uint32_t count_ = 0;
   std::vector<std::uint32_t> sum_;
@@ -82,8 +127,9 @@ class Developer {
 
 const char* const kSizesDiffer = "the pictures differ in size";
 
-Result<std::string> develop_whole(std::span<const std::string> pngs, const Tone& tone, int depth) {
-  Developer developer(tone);
+Result<std::string> develop_whole(std::span<const std::string> pngs, const Tone& tone, int depth,
+                                  std::array<int, 2> size) {
+  Developer developer(tone, size);
   for (const std::string& png : pngs) {
     Result<LinearRaster> read = read_linear_png(png, true);
     if (!read) return read.errors();
@@ -102,7 +148,7 @@ Result<std::string> develop_bands(std::span<const std::string> pngs, const Tone&
       return Error{"", kSizesDiffer};
     pictures.push_back(std::move(*rows));
   }
-  Developer developer(tone);
+  Developer developer(tone, {pictures[0].width(), pictures[0].height()});
   std::optional<PngWriter> writer;
   for (int height = pictures[0].height(); pictures[0].done() < height; developer.begin_anew()) {
     int rows = std::min(band, height - pictures[0].done());
@@ -136,7 +182,7 @@ Result<std::string> develop(std::span<const std::string> pngs, const Tone& tone,
   if (!size) return size.errors();
   auto [width, height] = *size;
   if (static_cast<std::size_t>(width) * static_cast<std::size_t>(height) <= held)
-    return develop_whole(pngs, tone, depth);
+    return develop_whole(pngs, tone, depth, *size);
   int band = static_cast<int>(std::max<std::size_t>(1, held / static_cast<std::size_t>(width)));
   return develop_bands(pngs, tone, depth, band);
 }

@@ -71,8 +71,12 @@ std::string tone_text(const Film& film, const Camera& camera, int exposure, int 
   if (!developed) return text;
   if (exposures > 1) text += "; exposure " + number_text(exposure) + " of " + number_text(exposures);
   if (exposure > 1) return text;
-  return text + "; then frond develop --highlights " + number_text(camera.highlights) + " --contrast " +
-         number_text(camera.contrast) + (film.depth == 16 ? " --depth 16" : "");
+  text += "; then frond develop --highlights " + number_text(camera.highlights) + " --contrast " +
+          number_text(camera.contrast);
+  if (camera.saturation != 1) text += " --saturation " + number_text(camera.saturation);
+  if (camera.warmth != 0) text += " --warmth " + number_text(camera.warmth);
+  if (camera.vignette != 0) text += " --vignette " + number_text(camera.vignette);
+  return text + (film.depth == 16 ? " --depth 16" : "");
 }
 
 std::string camera_text(const PovSpace& space, const Camera& camera, const Film& film, double time,

@@ -78,8 +78,13 @@ SceneHead read_scene_head(std::string_view scene) {
   // A later exposure names no tone: it is no picture by itself.
   if (consume(rest, "; then frond develop --highlights ") && consume_number(rest, fine.tone.highlights) &&
       consume(rest, " --contrast ") && consume_number(rest, fine.tone.contrast)) {
+    auto read = [&](std::string_view option, double& number) {
+      return !consume(rest, option) || consume_number(rest, number);
+    };
+    bool whole = read(" --saturation ", fine.tone.saturation) && read(" --warmth ", fine.tone.warmth) &&
+                 read(" --vignette ", fine.tone.vignette);
     if (consume(rest, " --depth 16")) fine.depth = 16;
-    if (rest.empty()) return fine;
+    if (whole && rest.empty()) return fine;
   }
   return head;
 }

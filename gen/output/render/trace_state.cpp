@@ -83,12 +83,14 @@ bool draw_block(std::string_view message, const Tone& tone, Raster& picture) {
     return false;
   std::size_t at = 0;
   for (int y = top; y <= bottom; ++y)
-    for (int x = left; x <= right; ++x, at += 4 * kChannels)
-      for (int c = 0; c < 3; ++c) {
-        auto light = std::bit_cast<float>(big_endian_at(pixels, at + 4 * static_cast<std::size_t>(c)));
-        double shown = toned(std::clamp<double>(light, 0, 1), tone);
-        picture.data[picture.index(x, y, c)] = to_byte(srgb(Vec3(static_cast<float>(shown))).red);
-      }
+    for (int x = left; x <= right; ++x, at += 4 * kChannels) {
+      std::array<double, 3> light{};
+      for (std::size_t c = 0; c < 3; ++c)
+        light[c] = std::clamp<double>(std::bit_cast<float>(big_endian_at(pixels, at + 4 * c)), 0, 1);
+      light = seen(light, tone, {x, y}, {picture.width, picture.height});
+      for (int c = 0; c < 3; ++c)
+        picture.data[picture.index(x, y, c)] = to_byte(light[static_cast<std::size_t>(c)]);
+    }
   return true;
 }
 

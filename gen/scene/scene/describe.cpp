@@ -112,6 +112,13 @@ void describe(Properties& v, Camera& c) {
            "Stops above white that keep their shape instead of burning out, outdoors");
   v.number("contrast", c.contrast, {.min = 0.5, .max = 2, .sense = "1.2 a crisp picture"},
            "How steep the picture's curve is about middle grey");
+  v.number("saturation", c.saturation, {.min = 0, .max = 2, .sense = "0 grey, 0.85 as on film"},
+           "Factor of how colourful the picture is");
+  v.number(
+      "warmth", c.warmth, {.min = -0.5, .max = 0.5, .sense = "0.06 warm light in cool shade"},
+      "Share of red that what is bright gains and of blue that it loses; what is dark the other way round");
+  v.number("vignette", c.vignette, {.min = 0, .max = 1, .sense = "0.15 slight"},
+           "Share of their light that the picture's corners lose");
   v.number(
       "aperture", c.aperture,
       {.min = 0.5, .max = 64, .sense = "1.4 a wide lens, 4 a portrait's, 16 nearly all sharp"},

@@ -105,7 +105,8 @@ struct Camera {
   double margin = 0.06;            ///< free margin at each edge, as a share of the picture's sides
   double exposure = 0;             ///< stops above the metered exposure
   double highlights = 0;           ///< stops above white that keep their detail, see Tone
-  double contrast = 1;             ///< of the picture, see Tone
+  double contrast = 1;             ///< of the picture, see Tone, as the following are
+  double saturation = 1, warmth = 0, vignette = 0;
   /// The f-number of a lens for film 36 mm wide; none: everything is sharp.
   std::optional<double> aperture;
   std::optional<Focus> focus;  ///< none: the point that it looks at
@@ -115,7 +116,9 @@ struct Camera {
   /// Stops above the metered exposure, as POV-Ray draws it.
   double stops() const { return exposure - highlights; }
   /// Whether POV-Ray's picture still has to be tone mapped.
-  bool toned() const { return highlights != 0 || contrast != 1; }
+  bool toned() const {
+    return highlights != 0 || contrast != 1 || saturation != 1 || warmth != 0 || vignette != 0;
+  }
 };
 
 /// Number of exposures per frame of a film; 1: no motion blur, and always for a still and for raw frames,
