@@ -28,7 +28,7 @@ esac
 out=${1:-out/packages}
 mkdir -p -- "$out"
 out=$(cd -- "$out" && pwd)
-"$root/scripts/setup.sh" --quiet
+"$root/scripts/setup.sh" --package --quiet
 "$root/scripts/build.sh" packaged
 # The page takes a compiler of its own, which nothing else needs: it is in the package where somebody has built it.
 if [[ -f $root/build/try/build.ninja ]]; then

@@ -16,12 +16,14 @@ command -v npm >/dev/null || node_packages+=(npm)
 # Debian's take what they trust from there, and only recommend it.
 if ((${#node_packages[@]} > 0)); then node_packages+=(ca-certificates); fi
 try_packages=(emscripten)
+# cpack asks the one what a file is, and the other what it needs.
+making_packages=(file dpkg-dev)
 large_packages=(blender python3-numpy chromium slurmctld slurmd slurm-client parallel openssh-client openssh-server
   pybind11-dev python3-dev python3-pip python3-wheel python3-matplotlib python3-nbformat mypy)
 
 usage() {
   cat <<TEXT
-Usage: scripts/setup.sh [--tests] [--studio] [--try] [--all] [--quiet]
+Usage: scripts/setup.sh [--tests] [--studio] [--try] [--package] [--all] [--quiet]
 
 Installs the Debian packages that are missing, as root or through sudo. Where nothing is missing it does nothing
 and needs neither root nor network.
@@ -29,6 +31,7 @@ and needs neither root nor network.
   --tests   also what scripts/test.sh needs
   --studio  also node and npm, and builds the page of \`frond studio\` with them; scripts/build.sh then takes it in
   --try     also emscripten, node and npm, and builds the page of \`frond try\` with them, some ten minutes
+  --package also what scripts/package.sh makes Debian packages with
   --all     also what scripts/test.sh --all needs: the page, Chromium, Blender, emscripten, pybind11, judges from
             npm in build/, and Slurm, GNU parallel and sshd, of which the tests start their own
   --quiet   one line only, and none where nothing is missing; apt's own words are shown if it fails
@@ -40,13 +43,14 @@ to test:   ${test_packages[*]}
 TEXT
 }
 
-tests='' studio='' try='' all='' quiet=''
+tests='' studio='' try='' package='' all='' quiet=''
 for argument in "$@"; do
   case $argument in
     --tests) tests=yes ;;
     --studio) studio=yes ;;
     --try) try=yes ;;
-    --all) tests=yes studio=yes all=yes ;;
+    --package) package=yes ;;
+    --all) tests=yes studio=yes package=yes all=yes ;;
     --quiet) quiet=yes ;;
     -h | --help) usage; exit 0 ;;
     *) unknown_option "$argument" ;;
@@ -57,6 +61,7 @@ packages=("${build_packages[@]}" "${run_packages[@]}")
 if [[ -n $tests ]]; then packages+=("${test_packages[@]}"); fi
 if [[ -n $studio$try ]]; then packages+=("${node_packages[@]}"); fi
 if [[ -n $try$all ]]; then packages+=("${try_packages[@]}"); fi
+if [[ -n $package ]]; then packages+=("${making_packages[@]}"); fi
 if [[ -n $all ]]; then packages+=("${large_packages[@]}"); fi
 
 # npm_packages FROM TO: the pinned packages of a folder, where they are not there yet.

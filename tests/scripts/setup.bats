@@ -111,6 +111,17 @@ pretend_npm='case $3 in ci) mkdir -p "$2/node_modules" ;; run) mkdir -p "$2/dist
   [ ! -s "$APT_LOG" ]
 }
 
+@test "what makes packages is installed for that, and not for a film" {
+  fresh_clone
+  MISSING="file dpkg-dev" run "$clone/scripts/setup.sh" --quiet
+  [ "$status" -eq 0 ]
+  [ ! -s "$APT_LOG" ]
+  MISSING="file dpkg-dev" run "$clone/scripts/setup.sh" --package --quiet
+  [ "$status" -eq 0 ]
+  grep -q "install --no-install-recommends file dpkg-dev" "$APT_LOG"
+  grep -q 'setup.sh" --package --quiet' "$ROOT/scripts/package.sh"
+}
+
 @test "node and npm come from apt where they are missing" {
   fresh_clone
   tools=$BATS_TEST_TMPDIR/tools
