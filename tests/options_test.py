@@ -42,7 +42,7 @@ COMMANDS = {
                   "--resolve": [FILM, "-o", "out", "-q", "--resolve"],
                   "--no-resolve": [FILM, "-o", "out", "-q", "--quality=good", "--no-resolve"],
                   "--alone": [FILM, "-o", "out", "-q", "--resolve", "--frames=3-3", "--alone"]}),
-    "look": ([FILM, "-o", "out/look.png"], {**SEED, **SIZE, "--frame": "2"}),
+    "look": ([FILM, "-o", "out/look.png"], {**SEED, **SIZE, "--frame": "2", "--views": None}),
     "passes": ([FILM, "-o", "out"], {**SEED, **SIZE, "--frames": "2", "--side": "2", "--albedo": None, "--views": None}),
     "draw": ([FILM, "-o", "out"], {**SEED, **SIZE, **PRINT, "--frames": "2", "--pen": "3", "--hatch": "9",
                                      "--dpi": [FILM, "-o", "out", "--print=1cm", "--dpi=72"]}),

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/fit.h"
 #include "scene/scene.h"
 
 namespace frond {
@@ -85,6 +86,61 @@ TEST(Camera, FitsAtEachKeyframe) {
     Vec3 at = lens_at(scene.setup.camera, time, 0.75).seen(Vec3(-4, 0.5f, 1));
     EXPECT_LT(std::max(std::abs(at.x), std::abs(at.y)), 1) << time;
   }
+}
+
+/// Points of a box, as wide and as high, a metre before the origin on uneven ground.
+std::vector<Vec3> box_of(float wide, float high) {
+  std::vector<Vec3> points;
+  for (float x : {-wide / 2, wide / 2})
+    for (float y : {0.0f, high})
+      for (float z : {-wide / 2, wide / 2}) points.push_back({x + 2, y, z - 1});
+  return points;
+}
+
+TEST(Camera, ComposesByLightThirdsAndHeight) {
+  const Heights ground([](double x, double z) { return 0.02 * x - 0.01 * z; });
+  constexpr double kOff[] = {40, 80, 140};
+  for (Vec3 sun : {Vec3(0.7, 0.3, 0.2), Vec3(-0.2, 0.8, -0.9)})
+    for (auto [wide, high] : {std::pair{2.0f, 9.0f}, {6.0f, 1.5f}, {0.3f, 0.4f}})
+      for (int light = 0; light < 3; ++light)
+        for (Third third : {Third::left, Third::middle, Third::right}) {
+          Camera camera;
+          camera.compose = Composition{.light = static_cast<LightSide>(light + 1), .third = third};
+          camera.compose->height = std::min(0.7, 0.8 * static_cast<double>(high));
+          constexpr double kAspect = 9.0 / 16;
+          Camera moved = fitted(camera, box_of(wide, high), kAspect, ground, sun);
+          EXPECT_FALSE(moved.compose);
+          Vec3 at = moved.location.at(0), toward = glm::normalize(moved.look_at.at(0) - at);
+          EXPECT_NEAR(at.y - ground(at.x, at.z), camera.compose->height, 0.01) << wide << " " << high;
+          Vec2 flat = glm::normalize(Vec2(toward.x, toward.z)), to_sun = glm::normalize(Vec2(sun.x, sun.z));
+          EXPECT_NEAR(degrees(std::acos(glm::dot(flat, to_sun))), kOff[light], 0.5);
+          Vec3 right = glm::cross(toward, Vec3(0, 1, 0));
+          bool from_right = glm::dot(sun, right) > 0;
+          EXPECT_TRUE(third == Third::middle || from_right == (third == Third::left));
+          Lens lens = lens_at(moved, 0, kAspect);
+          float left = 1, most = -1, low = 1, top = -1;  // shares of half the picture
+          for (const Vec3& p : box_of(wide, high)) {
+            Vec3 seen = lens.seen(p);
+            ASSERT_GT(seen.z, 0);
+            left = std::min(left, seen.x), most = std::max(most, seen.x);
+            low = std::min(low, seen.y), top = std::max(top, seen.y);
+          }
+          EXPECT_GT(left, -1.001);
+          EXPECT_LT(most, 1.001);
+          EXPECT_LT(top, 1 - 2 * 0.1 + 0.001) << "headroom";
+          EXPECT_GT(low, -1 + 2 * 0.22 - 0.001) << "foreground";
+          double middle = third == Third::left ? -1.0 / 3 : third == Third::right ? 1.0 / 3 : 0;
+          EXPECT_NEAR((left + most) / 2, middle, 0.25);
+          EXPECT_TRUE(top - low > 1.3 || most - left > 1.0) << "it is as large as there is room for";
+        }
+}
+
+TEST(Camera, ComposesAPreset) {
+  Scene scene = fitting(R"("compose": {"light": "back", "height": 0.5})", "[640, 360]");
+  EXPECT_NEAR(scene.setup.camera.location.at(0).y, 0.5, 0.02);
+  EXPECT_FALSE(scene.setup.camera.compose);
+  Scene other = fitting(R"("fit": ["column"], "compose": {"third": "left"})", "[640, 360]");
+  EXPECT_NE(scene.setup.camera.location.at(0), other.setup.camera.location.at(0));
 }
 
 TEST(Camera, SaysThatItSeesNothing) {

@@ -174,6 +174,21 @@ setup() {
   python3 -c 'x = open("grey.rgb", "rb").read(); assert len(x) == 960 and max(x) > 40 and x[0::3] == x[1::3] == x[2::3]'
 }
 
+@test "look offers six composed views, each of which is asked for by what it says" {
+  run --separate-stderr "$frond" look "$root/presets/staghorn.json" --size 64x48 --views
+  [ "$status" -eq 0 ]
+  [ "$output" = staghorn_views.png ]
+  [ "$(od -An -tx1 -j 16 -N 8 staghorn_views.png | tr -d ' ')" = 0000008400000098 ]
+  [ "$(grep -c -- '--set /scene/camera/compose/light=' <<<"$stderr")" -eq 6 ]
+  read -ra set <<<"$(sed -n 's/^row 1, left: //p' <<<"$stderr")"
+  "$frond" look "$root/presets/staghorn.json" --size 64x48 "${set[@]}" -o one.png
+  # The first of the six, which is pasted at the upper left, is that picture.
+  for file in one staghorn_views; do
+    ffmpeg -v error -y -i $file.png -vf crop=64:48:0:0 -f rawvideo -pix_fmt rgb24 $file.rgb
+  done
+  cmp one.rgb staghorn_views.rgb
+}
+
 @test "look draws a picture and says how large all has grown" {
   run --separate-stderr "$frond" look "$root/presets/staghorn.json" --size 64x48 --set '/scene/camera/fit=["all"]'
   [ "$status" -eq 0 ]

@@ -50,8 +50,9 @@ struct GenerateArguments {
 
 struct LookArguments {
   PresetArguments preset;
-  std::string out;  ///< PNG file; empty: <preset name>_look.png
-  int frame = 0;    ///< 0: the last
+  std::string out;     ///< PNG file; empty: <preset name>_look.png
+  int frame = 0;       ///< 0: the last
+  bool views = false;  ///< six compositions in place of the preset's camera
 };
 
 struct InfoArguments {

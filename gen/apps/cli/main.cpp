@@ -115,6 +115,8 @@ void add_look(CLI::App& app, int& result) {
   add_size(command, to->preset);
   command->add_option("-o,--out", to->out, "FILE.png (<preset name>_look.png)");
   command->add_option("--frame", to->frame, "Which frame (the last)")->check(CLI::Range(1, 1'000'000));
+  command->add_flag("--views", to->views,
+                    "A sheet of six composed views instead, and the property that chooses each");
   command->footer(
       "Example:\n  frond look presets/garden/palm.json -o palm.png --set '/scene/camera/fit=[\"all\"]'");
   command->callback([&result, to] { result = look(*to); });

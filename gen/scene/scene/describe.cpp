@@ -81,6 +81,27 @@ void describe(Properties& v, CameraMove& m) {
   v.choice("ease", m.ease, kEases, "How `orbit` and `rail` begin and end");
 }
 
+inline constexpr Choice<LightSide> kLightSides[] = {
+    {"as_it_is", LightSide::as_it_is, "the camera looks the way that it does"},
+    {"back", LightSide::back,
+     "from behind, 40 degrees beside what the camera looks at: leaves glow, edges shine"},
+    {"side", LightSide::side, "80 degrees aside: forms are round"},
+    {"front", LightSide::front, "over the camera's shoulder: colours are full"}};
+inline constexpr Choice<Third> kThirds[] = {
+    {"left", Third::left, "on the left third, with light from the right"},
+    {"middle", Third::middle, "in the middle"},
+    {"right", Third::right, "on the right third, with light from the left"}};
+
+void describe(Properties& v, Composition& c) {
+  v.choice("light", c.light, kLightSides, "Where the sun or the main lamp comes from, as the camera sees it");
+  v.choice("third", c.third, kThirds, "Where in the picture the subject stands");
+  v.number("height", c.height, {.min = 0.02, .max = 500, .unit = "m", .sense = "0.5 kneeling, 1.6 standing"},
+           "How high above the ground the lens is");
+  v.number("headroom", c.headroom, {.min = 0, .max = 0.6}, "Share of the picture's height above the subject");
+  v.number("foreground", c.foreground, {.min = 0, .max = 0.6},
+           "Share of the picture's height below the subject");
+}
+
 void describe(Properties& v, NamedView& w) {
   v.text("name", w.name, "What the view is called");
   v.required("name");
@@ -106,6 +127,9 @@ void describe(Properties& v, Camera& c) {
       "the picture, grown, whatever its shape");
   v.number("margin", c.margin, {.min = 0, .max = 0.45},
            "Share of the picture's width and height that `fit` leaves free at each edge");
+  v.object(
+      "compose", c.compose,
+      "The camera goes to where what `fit` names, or all, is composed: light, thirds, height of the eye");
   v.number("exposure", c.exposure, {.min = -8, .max = 8, .sense = "1 is twice as bright, -1 half"},
            "Stops by which a picture outdoors is brighter than a light meter has it");
   v.number("highlights", c.highlights, {.min = 0, .max = 6, .sense = "2 as on film"},

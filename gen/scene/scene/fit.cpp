@@ -97,20 +97,28 @@ double farthest(const std::vector<Vec3>& points, DVec3 n) {
   return most;
 }
 
-/// The place nearest to the points from which all of them are between the four planes that bound the view.
-View filled(Vec3 toward, const std::vector<Vec3>& points, double wide, double high) {
+/// A part of the picture: tangents of the angles to its edges.
+struct Window {
+  double left, right, bottom, top;
+  Window(double wide, double high) : left(-wide), right(wide), bottom(-high), top(high) {}
+};
+
+/// The place nearest to the points from which all of them are between the four planes that bound the window.
+View filled(Vec3 toward, const std::vector<Vec3>& points, const Window& w) {
   DVec3 f = glm::normalize(DVec3(toward));
   DVec3 up = sky_axis(f);
   DVec3 r = glm::normalize(glm::cross(f, up)), u = glm::cross(r, f);
-  double right = farthest(points, r - wide * f), left = farthest(points, -r - wide * f);
-  double top = farthest(points, u - high * f), bottom = farthest(points, -u - high * f);
-  double along = std::min(-(right + left) / (2 * wide), -(top + bottom) / (2 * high));
-  return {Vec3(along * f + (right - left) / 2 * r + (top - bottom) / 2 * u), Vec3(f)};
+  double right = farthest(points, r - w.right * f), left = farthest(points, -r + w.left * f);
+  double top = farthest(points, u - w.top * f), bottom = farthest(points, -u + w.bottom * f);
+  double along = std::min(-(right + left) / (w.right - w.left), -(top + bottom) / (w.top - w.bottom));
+  double aside = (right - left) / 2 + (w.right + w.left) / 2 * along,
+         above = (top - bottom) / 2 + (w.top + w.bottom) / 2 * along;
+  return {Vec3(along * f + aside * r + above * u), Vec3(f)};
 }
 
 /// The view of all points from a given height: how far back the camera stands is found by halving, and it
 /// turns to their middle.
-View filled_from(double height, Vec3 toward, const std::vector<Vec3>& points, double wide, double high) {
+View filled_from(double height, Vec3 toward, const std::vector<Vec3>& points, const Window& window) {
   DVec3 middle(0);
   for (const Vec3& p : points) middle += DVec3(p) / static_cast<double>(points.size());
   DVec3 back = glm::normalize(DVec3(-toward.x, 0, -toward.z));
@@ -126,12 +134,55 @@ View filled_from(double height, Vec3 toward, const std::vector<Vec3>& points, do
   };
   auto holds = [&](const View& v) {
     // How far it would step back: no farther.
-    return glm::dot(filled(v.toward, points, wide, high).at - v.at, v.toward) >= 0;
+    return glm::dot(filled(v.toward, points, window).at - v.at, v.toward) >= 0;
   };
   double near = 0, far = 1;
   while (!holds(view(far)) && far < kFarthest) near = far, far *= 2;
   for (int i = 0; i < 40; ++i) (holds(view((near + far) / 2)) ? far : near) = (near + far) / 2;
   return view(far);
+}
+
+/// The part of the picture that a subject is given.
+Window window_of(const Composition& c, double wide, double high) {
+  constexpr double kThird = 1.0 / 3,
+                   kHalf = 0.56;  // of half the width: its middle, and half of what it fills
+  Window w(wide, high);
+  w.top = (1 - 2 * c.headroom) * high;
+  w.bottom = std::min(2 * c.foreground - 1, 0.9 - 2 * c.headroom) * high;
+  if (c.third == Third::middle) return w.left *= 0.85, w.right *= 0.85, w;
+  double middle = c.third == Third::left ? -kThird : kThird;
+  w.left = (middle - kHalf) * wide, w.right = (middle + kHalf) * wide;
+  return w;
+}
+
+/// Radians, about the vertical, by which a view is turned for the light.
+double turn_to_light(const Composition& c, Vec3 toward, Vec3 sun) {
+  constexpr double kOffSun[] = {0, radians(40.0), radians(80.0),
+                                radians(140.0)};  // from where the camera looks
+  if (c.light == LightSide::as_it_is || std::hypot(sun.x, sun.z) < 1e-3) return 0;
+  double now = std::atan2(toward.x, toward.z), off = kOffSun[static_cast<std::size_t>(c.light)];
+  double to_sun = std::atan2(sun.x, sun.z) - now;
+  double left = std::remainder(to_sun - off, 2 * kPi), right = std::remainder(to_sun + off, 2 * kPi);
+  if (c.third == Third::middle) return std::abs(left) < std::abs(right) ? left : right;
+  return c.third == Third::right ? left : right;
+}
+
+/// The view of all points in a window from so high above the ground: the more it looks up, the lower it
+/// stands.
+View composed(const Composition& c, Vec3 toward, const std::vector<Vec3>& points, const Window& window,
+              const Heights& heights) {
+  double azimuth = std::atan2(toward.x, toward.z), down = radians(-80.0), up = radians(70.0);
+  auto view = [&](double pitch) {
+    return filled(Vec3(DVec3(std::sin(azimuth) * std::cos(pitch), std::sin(pitch),
+                             std::cos(azimuth) * std::cos(pitch))),
+                  points, window);
+  };
+  for (int i = 0; i < 40; ++i) {
+    double middle = (down + up) / 2;
+    View v = view(middle);
+    (v.at.y > heights(v.at.x, v.at.z) + c.height ? down : up) = middle;
+  }
+  return view(down);
 }
 
 }  // namespace
@@ -160,21 +211,28 @@ std::vector<Vec3> outside_of(const Scene& scene, const std::vector<std::string>&
   return outside.points();
 }
 
-Camera fitted(const Camera& camera, const std::vector<Vec3>& points, double aspect, const Heights& heights) {
+Camera fitted(const Camera& camera, const std::vector<Vec3>& points, double aspect, const Heights& heights,
+              Vec3 sun) {
   if (points.empty()) return camera;
   std::set<double> times;
   for (const auto* path : {&camera.location, &camera.look_at})
     for (const auto& key : path->keys()) times.insert(key.time);
   for (const auto& key : camera.angle.keys()) times.insert(key.time);
   std::vector<Animated<Vec3>::Key> location, look_at;
+  Vec3 first = camera.look_at.at(0) - camera.location.at(0);
+  Quat turn = camera.compose ? glm::angleAxis(static_cast<float>(turn_to_light(*camera.compose, first, sun)),
+                                              Vec3(0, 1, 0))
+                             : Quat(1, 0, 0, 0);
   for (double time : times) {
     Vec3 toward = glm::normalize(camera.look_at.at(time) - camera.location.at(time));
-    double wide = (1 - 2 * camera.margin) * std::tan(radians(camera.angle.at(time)) / 2);
-    View view = filled(toward, points, wide, aspect * wide);
+    double half = std::tan(radians(camera.angle.at(time)) / 2), wide = (1 - 2 * camera.margin) * half;
+    View view = camera.compose ? composed(*camera.compose, turn * toward, points,
+                                          window_of(*camera.compose, half, aspect * half), heights)
+                               : filled(toward, points, {wide, aspect * wide});
     double ground = heights(view.at.x, view.at.z) + kEyeLevel;
-    if (view.at.y < ground && std::abs(toward.y) < 0.999f)
+    if (!camera.compose && view.at.y < ground && std::abs(toward.y) < 0.999f)
       view = filled_from(std::max(ground, static_cast<double>(std::min(camera.location.at(time).y, 2.0f))),
-                         toward, points, wide, aspect * wide);
+                         toward, points, {wide, aspect * wide});
     double deep = -std::numeric_limits<double>::infinity(), near = -deep;
     for (const Vec3& p : points) {
       double depth = glm::dot(p - view.at, view.toward);
@@ -184,6 +242,7 @@ Camera fitted(const Camera& camera, const std::vector<Vec3>& points, double aspe
     look_at.push_back({time, view.at + static_cast<float>(std::max((deep + near) / 2, 0.01)) * view.toward});
   }
   Camera moved = camera;
+  moved.compose.reset();
   moved.location = Animated<Vec3>(std::move(location));
   moved.look_at = Animated<Vec3>(std::move(look_at));
   return moved;

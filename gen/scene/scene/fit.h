@@ -17,7 +17,10 @@ std::vector<Vec3> outside_of(const Model& model);
 
 /// The camera moved, at each of its keyframes, to where the points fill its picture but for its margins. It
 /// goes on looking the same way, unless that took it under the ground: then it stands on that and turns.
-/// `aspect`: height of the picture by its width.
-Camera fitted(const Camera& camera, const std::vector<Vec3>& points, double aspect, const Heights& heights);
+/// Where it has a composition, it is turned about the vertical until the light falls as that says, and stands
+/// as high above the ground as it says, with the points in their third of the picture. `aspect`: height of
+/// the picture by its width; `sun`: direction towards the light.
+Camera fitted(const Camera& camera, const std::vector<Vec3>& points, double aspect, const Heights& heights,
+              Vec3 sun);
 
 }  // namespace frond

@@ -162,7 +162,7 @@ Result<Scene> build_wider(const Preset& preset, Camera camera, std::vector<std::
                           const ProgressSink& watch, SpecimenCache* cache, const EntryFilter& only) {
   Preset wider = preset;
   wider.setup.camera = std::move(camera);
-  wider.setup.camera.fit.clear(), wider.setup.camera.follow = false;
+  wider.setup.camera.fit.clear(), wider.setup.camera.compose.reset(), wider.setup.camera.follow = false;
   Result<Scene> scene = build_all(wider, watch, cache, only);
   if (!scene) return scene;
   for (std::size_t entry : scene->grown)
@@ -236,8 +236,8 @@ namespace {
 Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, SpecimenCache* cache,
                         const EntryFilter& only) {
   // What has grown may be needed once more, see below.
-  if (SpecimenCache own; !cache && !preset.setup.camera.fit.empty())
-    return build_all(preset, watch, &own, {});
+  const std::vector<std::string> subjects = preset.setup.camera.subjects();
+  if (SpecimenCache own; !cache && !subjects.empty()) return build_all(preset, watch, &own, {});
   Seed seed{preset.seed};
   Scene scene;
   scene.film = preset.film;
@@ -276,9 +276,9 @@ Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, Specime
   shade(scene.specimens);
   if (preset.film.frames > 1) feed(scene.specimens, preset.film.length());
   add_wind(scene, preset);
-  if (!preset.setup.camera.fit.empty() && scene.missing.empty()) {
-    Camera moved = fitted(scene.setup.camera, outside_of(scene, preset.setup.camera.fit),
-                          preset.film.aspect(), ground->heights());
+  if (!subjects.empty() && scene.missing.empty()) {
+    Camera moved = fitted(scene.setup.camera, outside_of(scene, subjects), preset.film.aspect(),
+                          ground->heights(), daylight_of(setup_at(scene.setup, 0)).sun);
     // Land is laid as far as the camera goes: where it has to step back from all that, once more with that in
     // mind.
     if (reach_of(moved) > reach_of(preset)) {

@@ -95,17 +95,32 @@ struct CameraMove {
   Ease ease = Ease::none;  ///< of orbit and rail
 };
 
+/// Where light comes from, as the camera sees it.
+enum class LightSide : std::uint8_t { as_it_is, back, side, front };
+enum class Third : std::uint8_t { left, middle, right };
+
+/// How a picture is composed of what `fit` names, see fitted().
+struct Composition {
+  LightSide light = LightSide::back;
+  Third third =
+      Third::right;       ///< of the picture's width, in which it stands; the light comes from the other side
+  double height = 0.7;    ///< metres of the lens above the ground
+  double headroom = 0.1;  ///< share of the picture's height that is free above
+  double foreground = 0.22;  ///< the same below
+};
+
 struct Camera {
   Animated<Vec3> location{Vec3(0, 1.0f, 5)};
   Animated<Vec3> look_at{Vec3(0, 0.5f, 0)};
-  Animated<double> angle{45.0};    ///< degrees, the width of the view
-  std::optional<CameraMove> move;  ///< until the preset is read: it is keyframes then
-  bool follow = false;             ///< heights are relative to the ground below, not to y = 0
-  std::vector<std::string> fit;    ///< names of organisms that the camera is moved to show completely
-  double margin = 0.06;            ///< free margin at each edge, as a share of the picture's sides
-  double exposure = 0;             ///< stops above the metered exposure
-  double highlights = 0;           ///< stops above white that keep their detail, see Tone
-  double contrast = 1;             ///< of the picture, see Tone, as the following are
+  Animated<double> angle{45.0};        ///< degrees, the width of the view
+  std::optional<CameraMove> move;      ///< until the preset is read: it is keyframes then
+  bool follow = false;                 ///< heights are relative to the ground below, not to y = 0
+  std::vector<std::string> fit;        ///< names of organisms that the camera is moved to show completely
+  double margin = 0.06;                ///< free margin at each edge, as a share of the picture's sides
+  std::optional<Composition> compose;  ///< until the scene is built, as `fit`
+  double exposure = 0;                 ///< stops above the metered exposure
+  double highlights = 0;               ///< stops above white that keep their detail, see Tone
+  double contrast = 1;                 ///< of the picture, see Tone, as the following are
   double saturation = 1, warmth = 0, vignette = 0;
   /// The f-number of a lens for film 36 mm wide; none: everything is sharp.
   std::optional<double> aperture;
@@ -113,6 +128,10 @@ struct Camera {
   double shutter = 0;  ///< share of a frame's time for which it is open, beginning at the frame's moment
   std::optional<int> shutter_samples;  ///< number of exposures per frame; none: by quality
 
+  /// The organisms that decide where it stands; empty: it stands where it is put.
+  std::vector<std::string> subjects() const {
+    return fit.empty() && compose ? std::vector<std::string>{std::string(kFitAll)} : fit;
+  }
   /// Stops above the metered exposure, as POV-Ray draws it.
   double stops() const { return exposure - highlights; }
   /// Whether POV-Ray's picture still has to be tone mapped.

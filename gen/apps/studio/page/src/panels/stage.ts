@@ -168,7 +168,7 @@ export function stage(store: Store): Stage {
 /** Is the camera's way another than that through its keys? */
 function movesOf(store: Store): boolean {
   const camera = getAt(store.preset.whole, ["scene", "camera"]);
-  return isObject(camera) && (camera.follow === true || camera.fit !== undefined || (isObject(camera.move) && (camera.move.orbit !== undefined || camera.move.rail !== undefined)));
+  return isObject(camera) && (camera.follow === true || camera.fit !== undefined || camera.compose !== undefined || (isObject(camera.move) && (camera.move.orbit !== undefined || camera.move.rail !== undefined)));
 }
 
 const CAMERA_PATHS: Path[] = [["location"], ["look_at"], ["move", "rail", "to"], ["move", "orbit", "center"]];
