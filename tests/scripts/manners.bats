@@ -120,7 +120,7 @@ SH
 @test "large pictures of the gallery are those of its list" {
   run "$ROOT/scripts/gallery.sh" --large vases
   [ "$status" -eq 2 ]
-  [[ $output == *"vases: no picture of --large; expected some of reef garden "* ]]
+  [[ $output == *"vases: no picture of --large; expected some of reef ivy-brick_wall"* ]]
   run "$ROOT/scripts/gallery.sh" --huge
   [ "$status" -eq 2 ]
   local name
