@@ -50,7 +50,7 @@ struct GenerateArguments {
 
 struct LookArguments {
   PresetArguments preset;
-  std::string out;     ///< PNG file; empty: <preset name>_look.png
+  std::string out;     ///< PNG file; empty: <preset name>_look.png, of views _views.png
   int frame = 0;       ///< 0: the last
   bool views = false;  ///< six compositions in place of the preset's camera
 };

@@ -78,12 +78,14 @@ int look(const LookArguments& arguments) {
     return fail({Error{"--out", fmt::format("{} has no known extension; expected .png", out)}}, kWrongInput);
   if (Errors errors = refuse_file(out); !errors.empty()) return fail(errors, kCouldNot);
   tell_notes(preset->notes);
+  auto save = [&](const Raster& picture) {
+    Result<std::string> png = png_text(picture);
+    return png ? write_file(out, *png) : Result<bool>(png.errors());
+  };
   if (arguments.views) {
     Result<Raster> sheet = composed_views(*preset, frame);
     if (!sheet) return fail(sheet.errors(), kWrongInput);
-    Result<std::string> png = png_text(*sheet);
-    Result<bool> written = png ? write_file(out, *png) : png.errors();
-    if (!written) return fail(written.errors(), kCouldNot);
+    if (Result<bool> written = save(*sheet); !written) return fail(written.errors(), kCouldNot);
     put(out + "\n");
     return kDone;
   }
@@ -92,9 +94,8 @@ int look(const LookArguments& arguments) {
   if (!scene) return fail(scene.errors(), kWrongInput);
   for (const std::string& note : scene->notes) tell(note);
   now_doing("drawing what the camera sees");
-  Result<std::string> png = png_text(quick_look(*scene, film.time(frame)));
-  Result<bool> written = png ? write_file(out, *png) : png.errors();
-  if (!written) return fail(written.errors(), kCouldNot);
+  if (Result<bool> written = save(quick_look(*scene, film.time(frame))); !written)
+    return fail(written.errors(), kCouldNot);
   Result<std::vector<GrownSize>> sizes = sizes_of(*scene, *preset, film.time(frame));
   if (!sizes) return fail(sizes.errors(), kCouldNot);
   for (const std::string& line : sizes_lines(*sizes)) tell(line);

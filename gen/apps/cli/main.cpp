@@ -113,7 +113,7 @@ void add_look(CLI::App& app, int& result) {
       "look", "Draws at once, without a renderer, what the camera sees, and says how large all has grown");
   add_preset(command, to->preset);
   add_size(command, to->preset);
-  command->add_option("-o,--out", to->out, "FILE.png (<preset name>_look.png)");
+  command->add_option("-o,--out", to->out, "FILE.png (<preset name>_look.png, of views _views.png)");
   command->add_option("--frame", to->frame, "Which frame (the last)")->check(CLI::Range(1, 1'000'000));
   command->add_flag("--views", to->views,
                     "A sheet of six composed views instead, and the property that chooses each");

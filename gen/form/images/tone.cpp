@@ -40,15 +40,14 @@ std::array<double, 3> seen(const std::array<double, 3>& light, const Tone& tone,
   double left = 1 - tone.vignette * away * away;
   std::array<double, 3> out{};
   for (std::size_t c = 0; c < 3; ++c) out[c] = toned(left * light[c], tone);
-  double grey = luminance(out);
-  if (tone.saturation != 1)
+  if (tone.saturation != 1 || tone.warmth != 0) {
+    double grey = luminance(out), bright = 2 * encoded(std::min(grey, 1.0)) - 1;  // -1 black, 1 white
     for (double& channel : out) channel = std::max(0.0, grey + tone.saturation * (channel - grey));
-  if (tone.warmth != 0) {
-    double bright = 2 * encoded(std::min(grey, 1.0)) - 1;  // -1 black, 1 white
     out[0] *= 1 + tone.warmth * bright, out[2] *= 1 - tone.warmth * bright;
+    double changed = luminance(out), factor = changed > 0 ? grey / changed : 1;
+    for (double& channel : out) channel = std::min(1.0, factor * channel);
   }
-  double changed = luminance(out), factor = changed > 0 ? grey / changed : 1;
-  for (double& channel : out) channel = encoded(tone.is_curve() ? channel : std::min(1.0, factor * channel));
+  for (double& channel : out) channel = encoded(channel);
   return out;
 }
 

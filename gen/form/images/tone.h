@@ -31,7 +31,7 @@ struct Tone {
 double toned(double light, const Tone& tone);
 
 /// What is seen, encoded, of the exposed light of a pixel of a picture of so many pixels, linear, red, green
-/// and blue, each 0 to 1. Saturation and warmth leave the luminance as it is.
+/// and blue, each 0 to 1. Where no channel is full, saturation and warmth leave the luminance as it is.
 std::array<double, 3> seen(const std::array<double, 3>& light, const Tone& tone, std::array<int, 2> pixel,
                            std::array<int, 2> size);
 
