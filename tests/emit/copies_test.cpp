@@ -255,7 +255,7 @@ TEST(CopyText, WhatIsTheSameInAFilmIsWrittenOnce) {
   FrameParts parts = prepare_frames(scene);
   ASSERT_EQ(parts.files.size(), 1u);
   EXPECT_EQ(parts.files[0].bytes, whole);
-  EXPECT_EQ(parts.ground, "#include \"" + parts.files[0].name + "\"");
+  EXPECT_EQ(parts.ground, "#include \"" + parts.files[0].name + "\"\n") << "on a line of its own";
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ void put_aside(std::string& text, std::vector<Picture>& files) {
   if (text.size() < kAside) return;
   std::string name = fmt::format("part_{}.inc", content_id(text));
   files.push_back({name, std::move(text)});
-  text = "#include \"" + name + "\"";
+  text = "#include \"" + name + "\"\n";
 }
 
 }  // namespace
