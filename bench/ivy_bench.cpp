@@ -79,7 +79,7 @@ void Swing(benchmark::State& state) {
   std::vector<Vec3> position;
   std::vector<Quat> turn;
   double time = 0;
-  for (auto _ : state) swing_strands(s, {}, time += 0.04, position, turn);
+  for (auto _ : state) swing_strands(s, Breeze{}, time += 0.04, position, turn);
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(s.size()));
 }
 BENCHMARK(Swing);

@@ -9,7 +9,9 @@ namespace {
 TerrainShape hills(double size) {
   TerrainShape shape;
   shape.size = size;
-  shape.path = {{{-300, 20}, {-100, -12}, {-5, 6}, {90, -10}, {300, -30}}, 2.5};
+  for (Vec2 at : {Vec2(-300, 20), Vec2(-100, -12), Vec2(-5, 6), Vec2(90, -10), Vec2(300, -30)})
+    shape.path.points.emplace_back(at);
+  shape.path.width = 2.5;
   return shape;
 }
 
