@@ -110,6 +110,28 @@ plane {{ z, {metres}*Frond_Unit hollow texture {{ pigment {{ rgb 0 }} finish {{ 
     return linear(mean(picture)) / 0.8
 
 
+def leaf_in_light(folder, texture, behind):
+    """Red, green and blue of a leaf of one colour with the sun before it or behind it."""
+    (folder / "leaf.ppm").write_bytes(b"P6 2 2 255 " + bytes([125, 150, 110] * 4))
+    subprocess.run(["ffmpeg", "-loglevel", "error", "-y", "-i", folder / "leaf.ppm", folder / "leaf.png"], check=True)
+    scene = folder / "leaf.pov"
+    scene.write_text(f"""#version 3.7;
+global_settings {{ assumed_gamma 1 }}
+#include "frond_tree.inc"
+#include "frond_copy.inc"
+light_source {{ z*{9 if behind else -9}, rgb 1 parallel }}
+camera {{ orthographic location -3*z look_at 0 right x up 0.75*y }}
+#local F = array[1] {{ "leaf.png" }}
+mesh2 {{
+  vertex_vectors {{ 4, <-2, -2, 0>, <2, -2, 0>, <2, 2, 0>, <-2, 2, 0> }}
+  uv_vectors {{ 4, <0.1, 0.1>, <0.9, 0.1>, <0.9, 0.9>, <0.1, 0.9> }}
+  face_indices {{ 2, <0, 1, 2>, <0, 2, 3> }}
+  texture {{ {texture} }}
+}}
+""")
+    return [linear(c) for c in picture_of(scene, [], folder)[WIDTH * HEIGHT // 2]]
+
+
 def main():
     good = True
     with tempfile.TemporaryDirectory() as where:
@@ -126,6 +148,13 @@ def main():
             light = air_before(folder, metres, height, 6000)
             lost = 1 - math.exp(-math.hypot(metres, height) / 6000)
             good &= check(f"air over {metres} m", abs(light - lost) < 0.012, f"{light:.3f}, {lost:.3f} expected")
+        # Light that comes through a leaf has lost blue and is greener; before the sun the leaf is as it was.
+        for name, plain, lit in [("tree", 'Tree_Leaf("leaf.png",1) Plant_Luster(0.4,0)', 'Tree_Lit("leaf.png",1,0.4,1,0,0)'),
+                                 ("copy", "Copy_Picture(F,<0,1,1>,0.4,0)", "Copy_Lit(F,<0,1,1>,0.4,0,1)")]:
+            for behind, expected in [(False, (1, 1, 1)), (True, (0.95, 1.15, 0.3))]:
+                light = [a / b for a, b in zip(*(leaf_in_light(folder, how, behind) for how in (lit, plain)))]
+                good &= check(f"a {name}'s leaf {'against' if behind else 'before'} the sun",
+                              all(abs(a / b - 1) < 0.04 for a, b in zip(light, expected)), " ".join(f"{a:.3f}" for a in light))
         # The qualities bring what they cost: errors of the root of the mean square against 49 samples in each pixel.
         flags = {quality: re.search(r"^flags = (.*)$", frond_flags(folder / quality, quality), re.MULTILINE)[1].split()
                  for quality in ("draft", "good", "best")}

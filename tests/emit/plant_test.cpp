@@ -62,6 +62,11 @@ TEST(PlantText, OrgansWithALusterAreGlossyAboveAndMattBelow) {
         count(text, pictured ? "Plant_Luster(0.35,0) Tree_Veined(" : "Plant_Luster(0.5,0) Plant_Veined(2)"),
         1u);
   }
+  std::string yellow = R"({"seed": 2, "film": {"frames": 1}, "scene": {"setting": "studio"}, "organisms": [
+    {"kind": "plant", "grammar": {"axiom": "F~L"}, "organs": [{"symbol": "L", "shape": "picture", "picture":
+      {"luster": {"through": 0.4, "gloss": 0.3, "yellow": 0.5}}}]}]})";
+  std::string text = text_of(*build_scene(*read_preset(yellow, "x", {})), 1);
+  EXPECT_EQ(count(text, ",0.4,0.5,0.3,0)}interior_texture{Tree_Lit(\"leaf_"), 1u);
   EXPECT_FALSE(read_preset(R"({"organisms": [{"kind": "plant", "grammar": {"axiom": "F~L"}, "organs":
     [{"symbol": "L", "shape": "picture"}]}]})",
                            "x", {})

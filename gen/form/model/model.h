@@ -30,6 +30,7 @@ struct Luster {
   double through = 0.35;  ///< share of the reflected light that shines through instead
   double gloss = 0.16;    ///< of the upper side; the lower side is matt
   double relief = 0;      ///< of veins and folds
+  double yellow = 0;      ///< how much yellower than it reflects a leaf of pictures lets through, 0..1
 };
 
 /// The shape of an organ, stored once for all its placements: its foot at the origin, growing along +y, its

@@ -94,8 +94,10 @@ std::string look_of(const CopyPart& part, const Look& look, const Model& model, 
       for (std::size_t i = 0; i < organ.pictures.size(); ++i)
         text += fmt::format("{}\"{}\"", i > 0 ? "," : "", organ.pictures[i]);
       Luster luster = prototype.luster.value_or(Luster{.gloss = 0.13});
-      return text +
-             fmt::format("}}; texture{{Copy_Picture(F,T,{:.4g},{:.4g})}}", luster.through, luster.gloss);
+      std::string how = fmt::format("{:.4g},{:.4g}", luster.through, luster.gloss);
+      return text + (luster.yellow > 0
+                         ? fmt::format("}}; texture{{Copy_Lit(F,T,{},{:.4g})}}", how, luster.yellow)
+                         : "}; texture{Copy_Picture(F,T," + how + ")}");
     }
     case CopyPart::Kind::solid:
       return material_text(model.solids.shapes[part.which].material);

@@ -44,6 +44,13 @@ std::string look(std::string_view macro, const Color& color, const Color& second
 
 /// The texture of a leaf that shows the picture `name`.
 std::string picture_look(std::string_view name, std::size_t shade, const std::optional<Luster>& luster) {
+  if (luster && luster->yellow > 0) {
+    auto side = [&](double gloss) {
+      return fmt::format("Tree_Lit(\"{}\",{},{:.4g},{:.4g},{:.4g},{:.4g})", name, shade, luster->through,
+                         luster->yellow, gloss, luster->relief);
+    };
+    return "texture{" + side(luster->gloss) + "}interior_texture{" + side(0) + '}';
+  }
   return lustrous(fmt::format("Tree_Leaf(\"{}\",{})", name, shade), luster, "Tree_Veined", name);
 }
 

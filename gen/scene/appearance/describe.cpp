@@ -206,6 +206,18 @@ void describe(Properties& v, Sprig& s) {
            "How far the leaves of a pair stand apart; 0 opposite each other, 1 alternating");
 }
 
+void describe(Properties& v, Luster& l) {
+  v.aspect(Aspect::look);
+  v.number("through", l.through, {.min = 0, .max = 0.9},
+           "Share of the light, of all that it throws back, that comes out on the other side: a leaf glows "
+           "before a low sun");
+  v.number("gloss", l.gloss, {.min = 0, .max = 1}, "Gloss of the upper side; the lower side is matt");
+  v.number("relief", l.relief, {.min = 0, .max = 3}, "Depth of a leaf's veins or a petal's pleats");
+  v.number("yellow", l.yellow, {.min = 0, .max = 1},
+           "How much yellower the light is that comes through a leaf of pictures than what it throws back; "
+           "1 as in summer");
+}
+
 void describe(Properties& v, LeafLook& l) {
   v.aspect(Aspect::look);
   v.choice("shape", l.shape, kLeafShapes, "Outline of a leaf");
@@ -236,6 +248,7 @@ void describe(Properties& v, LeafLook& l) {
       "and colors, where they are given, become its mean colour");
   v.color("veins", l.veins, "Colour of the veins and the stalk");
   v.color("rim", l.rim, "Colour toward the rim of a leaf");
+  v.object("luster", l.luster, "How it takes light; without it as is usual for leaves");
   v.number("spots", l.spots, {.min = 0, .max = 1}, "How much the colour varies over one leaf");
   v.angle("fold", l.fold, {.min = -80, .max = 80}, "Angle by which each half is raised along the midrib");
   v.angle("bend", l.bend, {.min = -180, .max = 180},

@@ -21,6 +21,7 @@ void describe(Properties& v, Bark& b);
 void describe(Properties& v, BarkChange& b);
 void describe(Properties& v, BladeLook& b);
 void describe(Properties& v, Sprig& s);
+void describe(Properties& v, Luster& l);
 void describe(Properties& v, LeafLook& l);
 void describe(Properties& v, BarkImage& b);
 void describe(Properties& v, BarkCoat& c);

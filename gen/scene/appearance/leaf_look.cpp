@@ -85,6 +85,7 @@ Prototype leaf_prototype(const LeafLook& look, double phase) {
   OrganPart part{Tissue::leaf,
                  leaf_mesh(leaf_image(look, 0), look.detail, look.fold, look.bend, {look.curl, phase})};
   for (std::size_t i = 0; i < look.looks(); ++i) part.pictures.push_back(picture_name(look, i));
+  made.luster = look.luster;
   for (const LeafTint& tint : look.turned) made.colors.push_back(tint.color);
   if (!look.turned.empty()) made.summer = look.colors.size();
   made.parts.push_back(std::move(part));

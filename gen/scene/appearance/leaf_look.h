@@ -57,6 +57,7 @@ struct LeafLook {
   int pixels = 256;             ///< height of the picture
   double size_variation = 0.2;
   double turn_variation = radians(14.0);  ///< random tilt, plus or minus
+  std::optional<Luster> luster;           ///< none: the default of leaves
   std::vector<LeafTint> turned;           ///< other colours of the leaf, after those of `colors`
 
   std::size_t looks() const { return colors.size() + turned.size(); }

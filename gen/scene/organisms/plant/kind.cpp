@@ -34,15 +34,6 @@ inline constexpr Choice<PlantOrigin> kPlantOrigins[] = {
     {"turtle", PlantOrigin::turtle, "where the turtle starts"},
     {"middle", PlantOrigin::middle, "below its middle, the lowest point on the ground"}};
 
-void describe(Properties& v, Luster& l) {
-  v.aspect(Aspect::look);
-  v.number("through", l.through, {.min = 0, .max = 0.9},
-           "Share of the light, of all that it throws back, that comes out on the other side: a leaf glows "
-           "before a low sun");
-  v.number("gloss", l.gloss, {.min = 0, .max = 1}, "Gloss of the upper side; the lower side is matt");
-  v.number("relief", l.relief, {.min = 0, .max = 3}, "Depth of a leaf's veins or a petal's pleats");
-}
-
 void describe(Properties& v, OrganParams& o) {
   v.aspect(Aspect::look);
   v.text("symbol", o.symbol,

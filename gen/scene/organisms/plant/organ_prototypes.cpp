@@ -159,7 +159,7 @@ Prototype prototype(const OrganParams& p, Seed seed) {
       made.parts.push_back({Tissue::fruit, std::move(ball)});
     }
   }
-  made.luster = p.luster;
+  if (p.luster) made.luster = p.luster;
   if (p.dew > 0)
     made.parts.push_back({Tissue::dew, dew_surface(made.parts[0].surface, p.size, p.dew, seed.child("dew"))});
   return made;
