@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds everything and runs every test.
+# Installs what is missing, builds everything and runs the tests.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 . "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
@@ -8,12 +8,12 @@ usage() {
   cat <<TEXT
 Usage: scripts/test.sh [--all | --rest] [CTEST_OPTION...]
 
-Runs the tests; the summary is ctest's. Those labelled "large", which need large programs, are left out and named
-unless --all is given. Options go to ctest: -L scripts runs the tests of one label, -LE slow leaves the slow ones
-out, -R NAME runs those of a name.
+Runs the tests; the summary is ctest's. Those labelled "slow", which take seconds each, and "large", which need large
+programs, are left out and told unless --all is given. Options go to ctest: -L scripts runs the tests of one label,
+-R NAME those of a name.
 
-  --all     also the tests labelled "large", and installs what they need; and then the quick ones of the
-            library once more, in build-asan, with asserts and the address and undefined behaviour sanitizers
+  --all     all of them, and installs what they need; and then the quick ones of the library once more, in
+            build-asan, with asserts and the address and undefined behaviour sanitizers
   --rest    only what --all adds, for where the others have just been run; a large test that fails runs once more, since
             a browser or a queue of jobs keeps limits of time of its own on a busy machine: ctest shows both runs
   --help    this text
@@ -25,12 +25,12 @@ Exit codes: 0 all passed, 1 not.
 TEXT
 }
 # ctest leaves out only what all of several -LE name, so they are made one.
-setup=--tests excluded='^long$|^large$' only=() options=()
+setup=--tests excluded='^long$|^large$|^slow$' rest='' options=()
 while (($# > 0)); do
   case $1 in
     -h | --help) usage; exit 0 ;;
     --all) setup=--all excluded='^long$' ;;
-    --rest) setup=--all excluded='^long$' only=(-L '^large$' --repeat until-pass:2) ;;
+    --rest) setup=--all excluded='^long$' rest=yes ;;
     -LE | --label-exclude) excluded+=${excluded:+|}${2:-} && shift ;;
     *) options+=("$1") ;;
   esac
@@ -47,8 +47,9 @@ sources() {
 "$root/scripts/build.sh" --tests
 cd -- "$root"
 if [[ $setup != --all ]]; then
-  left=$(ctest --preset release -N -L '^large$' | sed -n 's/^ *Test *#[0-9]*: //p' | paste -sd ' ')
-  say "Left out without --all: ${left:-nothing}"
+  left() { ctest --preset release -N -L "$1" -LE '^long$' | sed -n 's/^ *Test *#[0-9]*: //p'; }
+  say "Left out without --all: $(left '^slow$' | wc -l) tests that take seconds each, and what needs large programs:" \
+    "$(left '^large$' | paste -sd ' ')"
 else
   mkdir -p build-asan
   # With what the tests leave of the processors, as they do where one of them must run alone.
@@ -56,8 +57,15 @@ else
   asan=$!
 fi
 before=$(sources)
-ctest --preset release -j "$(nproc)" --no-tests=error ${excluded:+-LE "$excluded"} ${only[@]+"${only[@]}"} "${options[@]}" ||
-  fail 1 "not all tests passed"
+run() {
+  ctest --preset release -j "$(nproc)" --no-tests=error -LE "$excluded" "$@" "${options[@]}" || fail 1 "not all tests passed"
+}
+if [[ -n $rest ]]; then
+  run -L '^slow$'
+  run -L '^large$' --repeat until-pass:2
+else
+  run
+fi
 if [[ $setup == --all ]]; then
   say "Building with sanitizers"
   wait "$asan" ||

@@ -47,9 +47,10 @@ stand_in() {
   diff "$calls" - <<'TEXT'
 setup --tests --quiet
 build --tests
-ctest --preset release -j 2 --no-tests=error -LE ^long$|^large$
+ctest --preset release -j 2 --no-tests=error -LE ^long$|^large$|^slow$
 setup --all --quiet
 build --tests
+ctest --preset release -j 2 --no-tests=error -LE ^long$ -L ^slow$
 ctest --preset release -j 2 --no-tests=error -LE ^long$ -L ^large$ --repeat until-pass:2
 ctest --preset asan -j 2 --no-tests=ignore
 TEXT
@@ -73,6 +74,7 @@ TEXT
 scripts/test.sh
 scripts/render.sh presets/reef.json
 COMMANDS
+  grep -qxF "      - run: ctest --preset release -j 2 -L '^slow$' -LE '^long$'" "$workflow"
   grep -qF -- "- run: scripts/package.sh" "$workflow"
   grep -qF -- "- run: tests/package_test.sh --apt out/packages" "$workflow"
   # All that it calls is there.
