@@ -61,6 +61,14 @@ std::string crop_text(const Film& film) {
 
 }  // namespace
 
+std::string air_text(const Film& film, const SceneSetup& setup, double time) {
+  if (!film.raw || !film.air) return {};
+  const Air& air = *setup.air;
+  return fmt::format(", with air: visibility {} m at {} m, thinning in {} m, forward {}",
+                     number_text(air.visibility.at(time)), number_text(air.level), number_text(air.height),
+                     number_text(air.forward));
+}
+
 std::string tone_text(const Film& film, const Camera& camera, int exposure, int exposures) {
   if (film.raw) return " +FN16; then frond resolve";
   std::string text = crop_text(film);

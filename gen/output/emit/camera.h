@@ -16,5 +16,7 @@ std::string camera_text(const PovSpace& space, const Camera& camera, const Film&
 /// Which part of its picture is drawn and how that is finished, for the first line of a scene; empty where
 /// POV-Ray does all. With several exposures of a frame, the first says of how many its picture is the mean.
 std::string tone_text(const Film& film, const Camera& camera, int exposure = 1, int exposures = 1);
+/// Which air `frond resolve` adds to a raw frame, for the same line.
+std::string air_text(const Film& film, const SceneSetup& setup, double time);
 
 }  // namespace frond

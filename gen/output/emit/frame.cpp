@@ -351,7 +351,8 @@ Result<FrameCount> write_frame(const Scene& scene, const FrameParts& parts, std:
       if (parts.light.empty()) return;
       return out("+RFI +RF" + (parts.light == kOwnLight ? light_name(frame) : parts.light) + " ");
     }
-    if (hole == "tone") return out(tone_text(film, camera, std::max(exposure, 1), all));
+    if (hole == "tone")
+      return out(tone_text(film, camera, std::max(exposure, 1), all) + air_text(film, scene.setup, time));
     if (hole == "time") return out(number_text(time));
     if (hole == "loop") return out(number_text(film.length()));
     if (hole == "includes") return out(includes_text(scene));

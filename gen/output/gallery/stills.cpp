@@ -36,6 +36,11 @@ std::string flags_of(const fs::path& film) {
   return {};
 }
 
+Result<Preset> preset_of(const Still& still) {
+  Result<std::string> text = read_file(still.preset);
+  return text ? read_preset(*text, still.preset.string(), still.sets) : text.errors();
+}
+
 }  // namespace
 
 Result<std::string> scene_id(const fs::path& root, const fs::path& folder,
@@ -76,9 +81,11 @@ Errors write_scene(const fs::path& root, const Still& still, const fs::path& fol
                                  fmt::format("--frames={0}-{0}", still.frame),
                                  fmt::format("--size={}x{}", still.size[0], still.size[1]),
                                  "--quality=" + still.quality,
-                                 "--no-resolve",  // of a film eight frames more would be rendered
                                  "-q"};
   for (const std::string& set : still.sets) words.push_back("--set=" + set);
+  // Of a film eight frames more would be rendered.
+  if (Result<Preset> preset = preset_of(still); preset && !preset->film.air)
+    words.emplace_back("--no-resolve");
   return call_for(root, words);
 }
 
@@ -102,8 +109,7 @@ std::string source_id(const fs::path& root, const std::vector<Still>& stills) {
   for (const char* folder : {"povinc", "templates"})
     for (const fs::path& file : files_in(root / folder)) add(file);
   for (const Still& still : stills) {
-    Result<std::string> text = read_file(still.preset);
-    Result<Preset> preset = text ? read_preset(*text, still.preset.string(), still.sets) : text.errors();
+    Result<Preset> preset = preset_of(still);
     if (!preset) return {};
     all += fmt::format("{} {} {} {}\n", still.frame, fmt::join(still.size, "x"), still.quality,
                        fmt::join(still.sets, " "));

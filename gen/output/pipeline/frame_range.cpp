@@ -11,7 +11,7 @@
 namespace frond {
 
 bool is_resolved(const Film& film, const std::optional<bool>& asked) {
-  return asked.value_or(film.quality == Quality::good && !film.sampled());
+  return asked.value_or((film.quality == Quality::good || film.air) && !film.sampled());
 }
 
 Errors refuse_resolving(const Film& film, const std::optional<bool>& asked) {

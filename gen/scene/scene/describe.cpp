@@ -245,6 +245,17 @@ void describe(Properties& v, Rain& r) {
              "Height of the mist that rain leaves over the ground; 0 is none");
 }
 
+void describe(Properties& v, Air& a) {
+  v.animated("visibility", a.visibility,
+             {.min = 1, .max = 50'000, .unit = "m", .sense = "100 fog, 400 mist, 2000 a hazy morning"},
+             "How far one sees through it, at the level where it is densest; with keyframes it lifts");
+  v.number("level", a.level, {.min = -1000, .max = 10'000, .unit = "m"}, "Height (y) of that level");
+  v.number("height", a.height, {.min = 0.1, .max = 10'000, .unit = "m"},
+           "Rise in which it thins to a third: less is ground mist");
+  v.number("forward", a.forward, {.min = 0, .max = 0.95, .sense = "0 all ways alike, 0.7 mist, 0.9 spray"},
+           "How far light that it scatters goes on as it came: more is brighter toward the sun");
+}
+
 void describe(Properties& v, SceneSetup& s) {
   std::vector<Choice<std::size_t>> names;
   for (const SettingRow& row : settings()) names.push_back({row.name, names.size(), row.doc});
@@ -270,6 +281,9 @@ void describe(Properties& v, SceneSetup& s) {
            "woods round meadow and garden, none round a forest");
   v.object("rain", s.rain,
            "Rain with wet things and puddles, for meadow, garden and forest; without it all is dry");
+  v.object("air", s.air,
+           "Mist or dust that glows in the sun and through which shadows fall in shafts, for meadow, garden "
+           "and forest; its frames are resolved in every quality");
   v.object("snow", s.snow, "Snow and hoarfrost on everything, for meadow, garden and forest");
 }
 

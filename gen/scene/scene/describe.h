@@ -31,6 +31,7 @@ void describe(Properties& v, Wind& w);
 void describe(Properties& v, Floor& f);
 void describe(Properties& v, FarLandShape& f);
 void describe(Properties& v, Snow& s);
+void describe(Properties& v, Air& a);
 void describe(Properties& v, Rain& r);
 void describe(Properties& v, SceneSetup& s);
 

@@ -258,6 +258,7 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   Result<Preset> preset = read_preset<Preset>(*document, &warnings, &assets);
   if (!preset) return preset;
   preset->setup.camera = keyed_move(preset->setup.camera, preset->film);
+  preset->film.air = is_misty(preset->setup);
   for (Event& event : preset->events)
     if (event.cut) event.cut->by_own = preset->version >= 2;
   preset->text = serialize(document->root);

@@ -44,6 +44,7 @@ class Finder {
     note_block("floor", set);
     note_block("snow", set);
     note_block("rain", set);
+    note_block("air", set);
     note_block("year", set);
     const Value* organisms = preset_.written->find("organisms");
     for (std::size_t i = 0; i < preset_.organisms.size(); ++i)

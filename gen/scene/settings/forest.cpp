@@ -194,7 +194,7 @@ SettingRow forest_setting() {
       "forest", "wooded hills at any hour of the day", "forest",
       "Hour and land, for forest; clouds and haze are the meadow's",
       {"/forest", "/meadow/haze", "/meadow/clouds", "/meadow/turbidity", "/meadow/moon", "/meadow/zenith",
-       "/meadow/horizon", "/snow", "/rain", "/far", "/year"},
+       "/meadow/horizon", "/snow", "/rain", "/air", "/far", "/year"},
       [](const SceneSetup& setup) {
         const TerrainShape& land = setup.block<Forest>().terrain;
         return Extent{.reach = std::max(kLeastReach, land.size), .sown = land.size, .relief = land.hills};

@@ -73,7 +73,7 @@ void describe(Properties& v, Meadow& m) {
 SettingRow meadow_setting() {
   return setting_row<Meadow>(
       "meadow", "grass under a summer sky", "meadow", "Sky and grass, for meadow",
-      {"/meadow", "/floor/relief", "/floor/scale", "/snow", "/rain", "/far", "/year"},
+      {"/meadow", "/floor/relief", "/floor/scale", "/snow", "/rain", "/air", "/far", "/year"},
       [](const SceneSetup&) { return Extent{.sown = kLawnSown}; },
       [](const SceneSetup& setup, const Film&) { return check_grass(setup.block<Meadow>().lawn); },
       [](const SceneSetup& setup, const Film& film) {

@@ -37,6 +37,8 @@ struct Film {
   Quality quality = Quality::draft;
   /// Whether frames are resolved from raw ones, see resolve/resolve.h. No property of presets.
   bool raw = false;
+  /// Whether light that the air scatters is added (SceneSetup::air), which only resolved frames know.
+  bool air = false;
   Background background = Background::scene;
   // How pictures are written, by options of the commands; no properties of presets.
   int depth = 8;                       ///< bits of a channel, 8 or 16
@@ -193,6 +195,13 @@ struct Rain {
   Animated<double> mist{0.0};    ///< metres of its height above the ground
 };
 
+/// Droplets or dust in the air, which scatter the light of the sun once; what hides it casts shafts.
+struct Air {
+  Animated<double> visibility{400.0};  ///< metres at `level` through which a fiftieth of light passes
+  double level = 0, height = 12;       ///< metres: y of that, and the rise in which it thins to 1/e
+  double forward = 0.7;                ///< mean cosine of the angle by which light is turned aside
+};
+
 /// Everything but the organisms. Each setting has a block of parameters that is read only by it and by
 /// settings based on it.
 struct SceneSetup {
@@ -206,6 +215,7 @@ struct SceneSetup {
   std::optional<FarLandShape> far;         ///< none: as the setting has it
   Snow snow;                               ///< read by settings under the open sky
   std::optional<Rain> rain;                ///< read by the same; none: it is dry
+  std::optional<Air> air;                  ///< read by the same; none: clear but for the setting's haze
   std::optional<Animated<double>> year;    ///< the time of the year, see Seasons; none: it is always summer
   std::optional<Animated<double>> closed;  ///< share of the sky that a stand's crowns hide; none: as a wood's
   std::vector<std::any> blocks;            ///< one per setting

@@ -51,6 +51,8 @@ bool is_snowy(const SceneSetup& setup) {
 
 bool is_rainy(const SceneSetup& setup) { return setup.rain && reads(setup, "/rain"); }
 
+bool is_misty(const SceneSetup& setup) { return setup.air && reads(setup, "/air"); }
+
 SceneSetup::SceneSetup() {
   for (const SettingRow& row : settings()) blocks.push_back(row.initial);
 }

@@ -34,6 +34,8 @@ double snow_cover(const SceneSetup& setup);
 
 /// Whether it rains or is wet at some time.
 bool is_rainy(const SceneSetup& setup);
+/// Whether there is air that scatters light.
+bool is_misty(const SceneSetup& setup);
 /// Share of the sky that clouds of rain or snow take at the beginning of the film, 0..1.
 double overcast(const SceneSetup& setup);
 /// How wet things in the open are at the beginning of the film, 0..1.

@@ -89,6 +89,8 @@ class TracedFrame {
   std::optional<PassHit> trace(Vec3 from, Vec3 direction) const;
   /// Whether nothing stands between a hit and the main light's middle, and it faces that.
   bool lit(const PassHit& hit) const;
+  /// Whether a ray from a place in the air, in a direction of length 1, meets nothing.
+  bool open(Vec3 from, Vec3 direction) const;
   /// Where a spot, of whatever time, is now; none where its thing, or that part of it, is not there.
   std::optional<PlaceNormal> where(const SurfaceSpot& spot) const;
 

@@ -77,6 +77,14 @@ const Placed* PlacedScene::find(const Thing& thing) const {
   return found != things.end() && found->thing == thing ? &*found : nullptr;
 }
 
+bool TracedFrame::Parts::open(RTCRay ray) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(still->scene.get(), &context, &ray);
+  if (ray.tfar >= 0) rtcOccluded1(moving.scene.get(), &context, &ray);
+  return ray.tfar >= 0;
+}
+
 TracedFrame::TracedFrame(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 TracedFrame::~TracedFrame() = default;
 TracedFrame::TracedFrame(TracedFrame&&) noexcept = default;
@@ -118,12 +126,11 @@ bool TracedFrame::lit(const PassHit& hit) const {
   }
   if (glm::dot(hit.normal, toward) <= 0) return false;
   float clear = kClear * std::max(glm::distance(hit.at, eye.at), 1.0f);
-  RTCRay ray = ray_of(hit.at + clear * hit.normal, toward, clear, far);
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcOccluded1(parts_->still->scene.get(), &context, &ray);
-  if (ray.tfar >= 0) rtcOccluded1(parts_->moving.scene.get(), &context, &ray);
-  return ray.tfar >= 0;
+  return parts_->open(ray_of(hit.at + clear * hit.normal, toward, clear, far));
+}
+
+bool TracedFrame::open(Vec3 from, Vec3 direction) const {
+  return parts_->open(ray_of(from, direction, 1e-3f, std::numeric_limits<float>::infinity()));
 }
 
 std::optional<PlaceNormal> TracedFrame::where(const SurfaceSpot& spot) const {

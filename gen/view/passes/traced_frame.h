@@ -46,6 +46,9 @@ struct TracedFrame::Parts {
   const PlacedScene* still = nullptr;  // of the film
   Vec3 light{0};                       // toward the main light, or its place
   bool is_lamp = false;
+
+  /// Whether a ray meets nothing.
+  bool open(RTCRay ray) const;
 };
 
 }  // namespace frond

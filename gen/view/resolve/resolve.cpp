@@ -5,6 +5,7 @@
 
 #include "core/parallel.h"
 #include "draw/eyes.h"
+#include "resolve/air.h"
 #include "resolve/gather.h"
 
 namespace frond {
@@ -152,7 +153,10 @@ Result<LightPicture> Resolver::at_moment(int number, const TracedFrame& now, con
     add_rows(rows, **raw, now, other - number);
   }
   SampleGrid grid(width, height, {0, height}, rows);
-  return gathered(grid, now, options, {0, height});
+  LightPicture picture = gathered(grid, now, options, {0, height});
+  if (scene_.film.air)
+    AirLight(scene_.setup, scene_.film.time(number), now, scene_.film.size).add(picture, 0);
+  return picture;
 }
 
 /// Appends the samples of a raw frame, row by row, where they lie in this one.
@@ -176,6 +180,8 @@ Errors Resolver::still_in_bands(const RowSource& raw, int band, const RowReceive
   const TracedFrame& now = **found;
   auto [width, height] = scene_.film.size;
   int fine = scene_.film.drawn_size()[1] / height;
+  std::optional<AirLight> air;
+  if (scene_.film.air) air.emplace(scene_.setup, scene_.film.time(1), now, scene_.film.size);
   for (int first = 0; first < height; first += band) {
     RowBand own{first, std::min(first + band, height)},
         around{std::max(0, own.first - kAround), std::min(own.end + kAround, height)};
@@ -184,7 +190,9 @@ Errors Resolver::still_in_bands(const RowSource& raw, int band, const RowReceive
     std::vector<std::vector<RawSample>> rows;
     add_rows(rows, *found_spots(1, now, std::move(*light), fine * around.first), now, 0);
     SampleGrid grid(width, height, around, rows);
-    if (Errors errors = receive(gathered(grid, now, options_, own)); !errors.empty()) return errors;
+    LightPicture picture = gathered(grid, now, options_, own);
+    if (air) air->add(picture, own.first);
+    if (Errors errors = receive(picture); !errors.empty()) return errors;
   }
   return {};
 }
