@@ -16,6 +16,7 @@ constexpr int kAround = 3;         // cells on each side of which the visibility
 constexpr int kSide = 2;           // kSide * kSide rays a pixel tell how far away what it shows is
 constexpr float kFarthest = 6000;  // metres
 constexpr float kOfSky = 0.6f;     // of the sky's light, with what the land throws back (by eye, as the next)
+constexpr float kOfZenith = 0.2f;  // of that: mist whitens the blue of the sky
 constexpr float kOfShade = 0.4f;   // of the haze's, from crowns and walls where they hide the sky
 constexpr float kDisc = 0.005f;    // radians, radius of the sun and of the glow at its rim
 constexpr float kLikeDepth = 6;    // how soon cells at other distances count for little
@@ -40,7 +41,7 @@ AirLight::AirLight(const SceneSetup& setup, double time, const TracedFrame& fram
   forward_ = static_cast<float>(air.forward);
   Daylight light = drawn_daylight(setup_at(setup, time));
   sun_ = light.sun, sunlight_ = light.sunlight;
-  sky_ = kOfSky / 2 * (light.above + light.aside), shade_ = kOfShade * light.fog;
+  sky_ = kOfSky * glm::mix(light.aside, light.above, kOfZenith), shade_ = kOfShade * light.fog;
   auto wide = static_cast<std::size_t>(wide_);
   visible_.resize(wide * static_cast<std::size_t>(high_)), away_.resize(visible_.size());
   parallel_for(static_cast<std::size_t>(high_), [&](std::size_t y) {
