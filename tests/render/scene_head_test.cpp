@@ -45,6 +45,7 @@ TEST(SceneHead, SaysThatThePictureIsRaw) {
   EXPECT_TRUE(head.raw);
   EXPECT_EQ(head.light, "light_1.rca");
   EXPECT_FALSE(read_scene_head("// +FN16; then frond resolve it").fine);
+  EXPECT_TRUE(read_scene_head("// +FN16; then frond resolve, with air: visibility 9 m at 0 m").raw);
 }
 
 TEST(SceneHead, SaysWhichPartIsDrawnAndHowItIsWritten) {

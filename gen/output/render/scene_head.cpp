@@ -71,7 +71,8 @@ SceneHead read_scene_head(std::string_view scene) {
   SceneHead fine = head;
   fine.fine = true;
   if (consume(rest, "; exposure 1 of ") && !consume_number(rest, fine.exposures)) return head;
-  if ((rest.empty() && fine.exposures == 1) || rest.starts_with("; then frond resolve")) {
+  if ((rest.empty() && fine.exposures == 1) || rest == "; then frond resolve" ||
+      rest.starts_with("; then frond resolve, with air: ")) {
     fine.raw = true;
     return fine;
   }
