@@ -61,7 +61,7 @@ std::string crop_text(const Film& film) {
 
 }  // namespace
 
-std::string air_text(const Film& film, const SceneSetup& setup, double time) {
+std::string mist_text(const Film& film, const SceneSetup& setup, double time) {
   if (!film.raw || !film.air) return {};
   const Air& air = *setup.air;
   return fmt::format(", with air: visibility {} m at {} m, thinning in {} m, forward {}",

@@ -17,6 +17,6 @@ std::string camera_text(const PovSpace& space, const Camera& camera, const Film&
 /// POV-Ray does all. With several exposures of a frame, the first says of how many its picture is the mean.
 std::string tone_text(const Film& film, const Camera& camera, int exposure = 1, int exposures = 1);
 /// Which air `frond resolve` adds to a raw frame, for the same line.
-std::string air_text(const Film& film, const SceneSetup& setup, double time);
+std::string mist_text(const Film& film, const SceneSetup& setup, double time);
 
 }  // namespace frond

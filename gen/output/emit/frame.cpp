@@ -352,7 +352,7 @@ Result<FrameCount> write_frame(const Scene& scene, const FrameParts& parts, std:
       return out("+RFI +RF" + (parts.light == kOwnLight ? light_name(frame) : parts.light) + " ");
     }
     if (hole == "tone")
-      return out(tone_text(film, camera, std::max(exposure, 1), all) + air_text(film, scene.setup, time));
+      return out(tone_text(film, camera, std::max(exposure, 1), all) + mist_text(film, scene.setup, time));
     if (hole == "time") return out(number_text(time));
     if (hole == "loop") return out(number_text(film.length()));
     if (hole == "includes") return out(includes_text(scene));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/frame_name.h"
+#include "core/linear.h"
 #include "core/text.h"
 #include "emit/setting_parts.h"
 #include "images/caustics.h"
@@ -38,7 +39,9 @@ Result<std::vector<Picture>> caustics(const Scene& scene, double time) {
 std::string water_text(const Scene& scene, double time) {
   const auto& water = scene.setup.block<Water>();
   std::string eye = eye_text(scene, time), look = look_text(scene, time);
-  std::string near = color_text(water.near), sun = direction_text(water.sun);
+  auto exposed = static_cast<float>(std::exp2(scene.setup.camera.stops()));
+  std::string near = color_text(exposed == 1 ? water.near : seen_color(exposed * linear(water.near)));
+  std::string sun = direction_text(water.sun);
   Daylight light = drawn_daylight(scene.setup);
   std::string text = globals_text("Water") + backdrop_text(light) + "Water_Setting(" + eye + "," +
                      light_text(light.fog) + "," + number_text(light.fade) + "," + sun + "," +

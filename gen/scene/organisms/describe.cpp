@@ -37,7 +37,8 @@ void describe(Properties& v, SowRules& s) {
   v.object("warmth", s.warmth,
            "How copies become smaller and fewer with altitude, as trees toward the tree line; not given: "
            "they do not");
-  v.angle("slope", s.slope, {.min = 0, .max = 90}, "Steepest slope on which copies come up");
+  v.angle("slope", s.slope, {.min = 0, .max = 180},
+          "Steepest slope on which copies come up; on a body (`place.on`) more than 90 is under overhangs");
   v.number("patch", s.patch, {.min = 0, .max = 10000, .unit = "m"},
            "Distance from one clump to the next; 0 spreads copies evenly");
   v.number("cover", s.cover, {.min = 0, .max = 1},
@@ -125,8 +126,7 @@ void describe(Properties& v, Place& p) {
            "Width of the rock under each, for corals and plants under water; 0 lays none");
   v.list("on", p.on,
          "Names of the bodies that colonies (corals, sponges) stand on, scattered over all of them that does "
-         "not "
-         "face downward; without it they stand on the ground");
+         "not face downward, or that copies of anything `sown` come up on; not given: the ground");
   v.number("upright", p.upright, {.min = 0, .max = 1},
            "How upright they stand on a slope of such a body: 1 plumb, 0 at right angles to it");
 }

@@ -76,7 +76,8 @@ void check_hosts(const Preset& preset, Faults& faults) {
     };
     const Organism& organism = preset.organisms[i];
     if (const std::vector<std::string>* hosts = organism.grower->traits().hosts) require_all("/on", *hosts);
-    if (organism.grower->traits().stands_on_bodies()) require_all("/place/on", organism.place.on);
+    if (organism.sown || organism.grower->traits().stands_on_bodies())
+      require_all("/place/on", organism.place.on);
   }
 }
 

@@ -255,7 +255,6 @@ Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, Specime
   ground->strew(taken);
   sow_copies(scene, preset, *ground, taken.list());
   if (preset.stand) add_stand(scene, preset, *ground, stand_history(preset, *ground));
-  set_copy_lifetimes(scene, preset);
   std::vector<Bed> beds = set_feet(preset, std::move(plots), *ground);
   watch.step();
 
@@ -266,6 +265,9 @@ Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, Specime
   world.add(ground->furnishings());
   Result<GrownStages> grown = grow_in(world, preset, beds, *ground, watch, cache, only);
   if (!grown) return grown.errors();
+  if (grown->missing.empty())
+    if (Errors errors = sow_on_bodies(scene, preset, world); !errors.empty()) return errors;
+  set_copy_lifetimes(scene, preset);
   scene.grown = std::move(grown->entries);
   scene.origins = std::move(grown->origins);
   scene.cached = std::move(grown->names);

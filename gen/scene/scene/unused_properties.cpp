@@ -111,9 +111,14 @@ class Finder {
       for (std::string_view name : kStance) note_place(name, "ivy takes the shape of its host");
     if (!ivy && !organism.sown && organism.place.rock > 0 && !rocks_)
       note_place("rock", "rocks lie under water only");
-    for (std::string_view name : {"on", "upright"})
-      if (organism.sown || !organism.grower->traits().stands_on_bodies())
-        note_place(name, "only corals and their like that are not sown stand on bodies");
+    bool settles = organism.grower->traits().stands_on_bodies();
+    if (!organism.sown && !settles)
+      note_place("on", "only corals and their like, and what is sown, stand on bodies");
+    if (organism.sown || !settles)
+      note_place("upright", organism.sown ? "sown.upright says how copies stand"
+                                          : "only corals and their like stand on bodies");
+    if (organism.sown && !organism.place.on.empty())
+      note_place("at", "copies on bodies find their own places");
     note_body(organism, written, pointer);
     bool drawn = organism.grower->traits().branches && !organism.sown;
     find_unmet(written, [&](const Value& value, const std::string& at, std::string_view need) {

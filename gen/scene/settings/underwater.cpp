@@ -46,8 +46,8 @@ std::vector<BackdropStop> water_backdrop(Vec3 fog, Vec3 near) {
           {1, 4.0f * near + 0.25f}};
 }
 
-/// The water scatters: from above most, from all sides, a little from below.
-Daylight water_light(const Water& water) {
+/// The water scatters: from above most, from all sides, a little from below. `stops`: of exposure.
+Daylight water_light(const Water& water, double stops) {
   // Kd of clear ocean water, Jerlov's type IB, at 620, 540 and 460 nm: what a metre takes of the light.
   constexpr Vec3 kTaken(0.30f, 0.072f, 0.041f);
   Vec3 left = glm::exp(-static_cast<float>(water.depth) * kTaken);
@@ -69,6 +69,11 @@ Daylight water_light(const Water& water) {
                 .eye = 0.2f * tint + 0.2f};
   light.ground = kSand;
   light.fade = water.visibility;
+  auto exposed = static_cast<float>(std::exp2(stops));
+  for (Vec3* part : {&light.sunlight, &light.above, &light.aside, &light.below, &light.fog, &light.fill.above,
+                     &light.fill.aside, &light.fill.below, &light.fill.eye})
+    *part *= exposed;
+  for (BackdropStop& stop : light.backdrop) stop.light *= exposed;
   return light;
 }
 
@@ -158,7 +163,7 @@ SettingRow underwater_setting() {
       [](const SceneSetup& setup, const Film& film, double reach, Seed seed) -> std::unique_ptr<Grounds> {
         return std::make_unique<SeaFloor>(setup.floor, film.quality, reach, seed);
       },
-      [](const SceneSetup& setup) { return water_light(setup.block<Water>()); });
+      [](const SceneSetup& setup) { return water_light(setup.block<Water>(), setup.camera.stops()); });
 }
 
 }  // namespace frond
