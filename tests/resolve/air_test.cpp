@@ -60,6 +60,25 @@ TEST_F(AirOfAGarden, TakesAFiftiethAtTheDistanceOfVisibility) {
   EXPECT_GT(asked, 100);
 }
 
+TEST_F(AirOfAGarden, ThinsUpwardByAPowerOfE) {
+  // A sum of thin layers, for eyes in, below and above the mist.
+  for (float level : {-3.0f, 0.5f, 4.0f}) {
+    Air air{.visibility = 6, .level = level, .height = 0.8};
+    LightPicture dark = behind(air, Vec3(0)), bright = behind(air, Vec3(1));
+    for (std::size_t p = 0; p < pixels(); ++p) {
+      if (!is_even(p)) continue;
+      constexpr int kLayers = 400;
+      Vec3 to = hit(p)->at - frame_.eye.at;
+      double depth = 0;
+      for (int k = 0; k < kLayers; ++k) {
+        double height = frame_.eye.at.y + to.y * (k + 0.5) / kLayers;
+        depth += std::exp(-std::max(0.0, height - level) / 0.8) * 3.912 / 6 * glm::length(to) / kLayers;
+      }
+      EXPECT_NEAR(bright[p].g - dark[p].g, std::exp(-depth), 0.02) << p << " level " << level;
+    }
+  }
+}
+
 TEST_F(AirOfAGarden, ClearAirChangesNothingAndThickAirHidesAll) {
   for (Vec3 light : behind({.visibility = 5e9}, Vec3(0.3f))) EXPECT_NEAR(light.g, 0.3f, 1e-4f);
   LightPicture dark = behind({.visibility = 0.5}, Vec3(0)), bright = behind({.visibility = 0.5}, Vec3(1));

@@ -59,7 +59,7 @@ constexpr double kDrawnBytes = 0.6;     // of one of bark or a leaf
 constexpr double kBytesRead = 4e6, kModelsRead = 4e7, kTracedPixels = 160 * 90, kCrowd = 100, kCrowded = 5;
 constexpr double kCrowdedLight = 1000;  // copies that fill the view with cells
 constexpr double kPixelTraced[] = {1.2e-4, 3.6e-4, 1.1e-3}, kEdges[] = {0.1, 0.3, 0.3};
-constexpr double kRawPixelTraced = 4e-5, kPixelResolved = 2e-5;  // of raw frames
+constexpr double kRawPixelTraced = 4e-5, kPixelResolved = 2e-5, kPixelAir = 2e-5;  // of raw frames
 // What a view in the studio puts into packets, a second.
 constexpr double kNodesPacked = 2e6, kOrgansPacked = 2e6, kTrianglesPacked = 1e6;
 
@@ -69,8 +69,9 @@ double render_seconds(const CostEstimate& f, double text, double tracing, const 
   double traced =
       pixels * kPixelTraced[quality] * std::pow(kTracedPixels / std::max(pixels, 1.0), kEdges[quality]);
   if (film.raw) traced = kRawPixelTraced * film.drawn_size()[0] * film.drawn_size()[1];
+  double resolved = film.raw ? kPixelResolved + (film.air ? kPixelAir : 0) : 0;
   return text / kBytesRead + f.shared_bytes / kModelsRead +
-         traced * tracing * (f.copies > kCrowd ? kCrowded : 1) + (film.raw ? kPixelResolved * pixels : 0);
+         traced * tracing * (f.copies > kCrowd ? kCrowded : 1) + resolved * pixels;
 }
 
 /// Bytes of text that a node takes.

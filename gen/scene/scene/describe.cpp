@@ -248,10 +248,11 @@ void describe(Properties& v, Rain& r) {
 void describe(Properties& v, Air& a) {
   v.animated("visibility", a.visibility,
              {.min = 1, .max = 50'000, .unit = "m", .sense = "100 fog, 400 mist, 2000 a hazy morning"},
-             "How far one sees through it, at the level where it is densest; with keyframes it lifts");
-  v.number("level", a.level, {.min = -1000, .max = 10'000, .unit = "m"}, "Height (y) of that level");
+             "How far one sees through it where it is densest; with keyframes it lifts");
+  v.number("level", a.level, {.min = -1000, .max = 10'000, .unit = "m"},
+           "Height (y) up to which it is as dense");
   v.number("height", a.height, {.min = 0.1, .max = 10'000, .unit = "m"},
-           "Rise in which it thins to a third: less is ground mist");
+           "Rise above that in which it thins to a third: less is ground mist");
   v.number("forward", a.forward, {.min = 0, .max = 0.95, .sense = "0 all ways alike, 0.7 mist, 0.9 spray"},
            "How far light that it scatters goes on as it came: more is brighter toward the sun");
 }

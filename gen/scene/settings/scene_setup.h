@@ -197,8 +197,8 @@ struct Rain {
 
 /// Droplets or dust in the air, which scatter the light of the sun once; what hides it casts shafts.
 struct Air {
-  Animated<double> visibility{400.0};  ///< metres at `level` through which a fiftieth of light passes
-  double level = 0, height = 12;       ///< metres: y of that, and the rise in which it thins to 1/e
+  Animated<double> visibility{400.0};  ///< metres below `level` through which a fiftieth of light passes
+  double level = 0, height = 12;       ///< metres: y of that, and the rise above it in which it thins to 1/e
   double forward = 0.7;                ///< mean cosine of the angle by which light is turned aside
 };
 

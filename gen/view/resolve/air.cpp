@@ -20,6 +20,7 @@ constexpr float kOfZenith = 0.2f;  // of that: mist whitens the blue of the sky
 constexpr float kOfShade = 0.4f;   // of the haze's, from crowns and walls where they hide the sky
 constexpr float kDisc = 0.005f;    // radians, radius of the sun and of the glow at its rim
 constexpr float kLikeDepth = 6;    // how soon cells at other distances count for little
+constexpr double kLevel = 1e-5;    // rise, metres in a metre, of a ray that is level
 constexpr float kSeen = 3.912f;    // losses in the distance of visibility (Koschmieder 1924)
 
 /// An order of the sixteen cells of a block of four by four in which neighbours are far apart (Bayer 1973).
@@ -50,35 +51,37 @@ AirLight::AirLight(const SceneSetup& setup, double time, const TracedFrame& fram
       Vec3 along = picture_ray(frame_.eye, middle);
       Way through = way(along);
       away_[y * wide + x] = std::max(through.metres, 1e-3f);
-      visible_[y * wide + x] = visible(through, along, cell);
+      visible_[y * wide + x] = visible(through, cell);
     }
   });
 }
 
 AirLight::Way AirLight::way(Vec3 along) const {
-  constexpr float kDeepest = 2;  // levels below the densest that are told apart
-  Way way;
   std::optional<PassHit> hit = frame_.trace(frame_.eye.at, along);
-  way.metres = hit ? std::min(hit->away, kFarthest) : kFarthest;
-  way.rise = along.y;
-  way.at_eye = loss_ * std::exp(std::min((level_ - frame_.eye.at.y) / height_, kDeepest));
-  // Nothing is denser than kDeepest, and no ray goes on below the land.
-  float lowest = level_ - kDeepest * height_;
-  if (along.y < 0) way.metres = std::min(way.metres, std::max(0.0f, (lowest - frame_.eye.at.y) / along.y));
-  float steep = way.rise * way.metres / height_;
-  float mean = std::abs(steep) < 1e-3f ? 1 : (1 - std::exp(-steep)) / steep;
-  way.passed = std::exp(-way.at_eye * mean * way.metres);
-  return way;
+  float metres = hit ? std::min(hit->away, kFarthest) : kFarthest;
+  return {along, metres, passed(along, metres)};
 }
 
-float AirLight::reached(const Way& way, float passed) const {
-  float level = -std::log(passed) / way.at_eye;  // metres, were it as dense all the way
-  float steep = level * way.rise / height_;
-  float metres = std::abs(steep) < 1e-3f ? level : -height_ / way.rise * std::log(std::max(1e-6f, 1 - steep));
-  return std::clamp(metres, 0.0f, way.metres);
+double AirLight::column(double height) const {
+  double above = height - level_;
+  return above < 0 ? above : height_ * (1 - std::exp(-above / height_));
 }
 
-Vec2 AirLight::visible(const Way& way, Vec3 along, Vec2 cell) const {
+float AirLight::passed(Vec3 along, float metres) const {
+  double from = frame_.eye.at.y, rise = along.y;
+  if (std::abs(rise) < kLevel) rise = kLevel;
+  return static_cast<float>(std::exp(-loss_ * (column(from + rise * metres) - column(from)) / rise));
+}
+
+float AirLight::reached(Vec3 along, float passed) const {
+  double from = frame_.eye.at.y, rise = along.y;
+  if (std::abs(rise) < kLevel) rise = kLevel;
+  double to = column(from) - rise * std::log(passed) / loss_;
+  double above = to < 0 ? to : -height_ * std::log(std::max(1e-9, 1 - to / height_));
+  return static_cast<float>((level_ + above - from) / rise);
+}
+
+Vec2 AirLight::visible(const Way& way, Vec2 cell) const {
   auto x = static_cast<unsigned>(cell.x), y = static_cast<unsigned>(cell.y);
   float offset = (static_cast<float>(kOrder[y % 4 * 4 + x % 4]) + 0.5f) / 16;
   Vec3 aside = glm::normalize(glm::cross(sun_, std::abs(sun_.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0)));
@@ -88,7 +91,8 @@ Vec2 AirLight::visible(const Way& way, Vec3 along, Vec2 cell) const {
     auto number = static_cast<float>(step);
     // Each step is as much of the light that is scattered.
     float share = (number + offset) / kSteps;
-    Vec3 at = frame_.eye.at + reached(way, 1 - share * (1 - way.passed)) * along;
+    float metres = std::clamp(reached(way.along, 1 - share * (1 - way.passed)), 0.0f, way.metres);
+    Vec3 at = frame_.eye.at + metres * way.along;
     float turn = 2 * static_cast<float>(kPi) * glm::fract(0.618034f * number + offset);
     float part = glm::fract(0.754878f * number + 0.5f * offset);
     Vec2 round(std::cos(turn), std::sin(turn));

@@ -10,7 +10,7 @@ namespace frond {
 /// The light that the air of a scene (SceneSetup::air) scatters from the sun toward the camera, once, and the
 /// light that it takes. How far sun and sky are visible along a ray is marched against all that is traced, so
 /// that crowns cast shafts and the air under them is dim. The angle by which the sun's light turns follows
-/// Henyey and Greenstein (1941); the air thins upward by a power of e.
+/// Henyey and Greenstein (1941); above its level the air thins by a power of e.
 class AirLight {
  public:
   /// For pictures of so many pixels of a frame, which must outlive this.
@@ -22,16 +22,18 @@ class AirLight {
  private:
   /// A ray through the air, to the first surface or out of it.
   struct Way {
+    Vec3 along{0};
     float metres = 0;
-    float at_eye = 0;  ///< share of light that is lost in a metre where the ray begins
-    float rise = 0;    ///< metres in a metre
     float passed = 1;  ///< share of light that passes all of it
   };
   Way way(Vec3 along) const;
-  /// Metres along it to where that share of light has passed.
-  float reached(const Way& way, float passed) const;
+  /// Metres of the densest air that a way through as much has from `level_` to a height, negative below.
+  double column(double height) const;
+  /// Share of light that passes so many metres in a direction, and how many let that share pass.
+  float passed(Vec3 along, float metres) const;
+  float reached(Vec3 along, float passed) const;
   /// Shares of the places where a way scatters that see the sun, and of the sky that they see.
-  Vec2 visible(const Way& way, Vec3 along, Vec2 cell) const;
+  Vec2 visible(const Way& way, Vec2 cell) const;
   /// The same of a pixel, from the cells around it that are about as far away.
   Vec2 visible_at(Vec2 pixel, float metres) const;
 
