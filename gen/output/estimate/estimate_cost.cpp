@@ -69,9 +69,9 @@ double render_seconds(const CostEstimate& f, double text, double tracing, const 
   double traced =
       pixels * kPixelTraced[quality] * std::pow(kTracedPixels / std::max(pixels, 1.0), kEdges[quality]);
   if (film.raw) traced = kRawPixelTraced * film.drawn_size()[0] * film.drawn_size()[1];
-  double resolved = film.raw ? kPixelResolved + (film.air ? kPixelAir : 0) : 0;
-  return text / kBytesRead + f.shared_bytes / kModelsRead +
-         traced * tracing * (f.copies > kCrowd ? kCrowded : 1) + resolved * pixels;
+  traced *= tracing * (f.copies > kCrowd ? kCrowded : 1);
+  return text / kBytesRead + f.shared_bytes / kModelsRead + traced +
+         film.raw * (kPixelResolved + film.air * kPixelAir) * pixels;
 }
 
 /// Bytes of text that a node takes.
