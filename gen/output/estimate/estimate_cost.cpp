@@ -53,9 +53,8 @@ constexpr double kPictureBytes = 1.8;   // of a pixel of what is rendered
 constexpr double kStreaksText = 400e3;  // bytes of falling drops, and of flakes
 constexpr double kRawBytes = 5;         // of one of raw frames
 constexpr double kDrawnBytes = 0.6;     // of one of bark or a leaf
-// POV-Ray: bytes a second that it reads, and of models, each frame a part of them; seconds a pixel of a
-// picture of kTracedPixels, by quality, and by which power of their number a pixel of a larger picture, where
-// fewer lie on edges, takes less; crowded scenes take more.
+// POV-Ray: bytes a second that it reads, and of models; seconds a pixel of a picture of kTracedPixels, by
+// quality, and the power of their number by which one of a larger picture takes less; crowds take more.
 constexpr double kBytesRead = 4e6, kModelsRead = 4e7, kTracedPixels = 160 * 90, kCrowd = 100, kCrowded = 5;
 constexpr double kCrowdedLight = 1000;  // copies that fill the view with cells
 constexpr double kPixelTraced[] = {1.2e-4, 3.6e-4, 1.1e-3}, kEdges[] = {0.1, 0.3, 0.3};
@@ -69,7 +68,7 @@ double render_seconds(const CostEstimate& f, double text, double tracing, const 
   double traced =
       pixels * kPixelTraced[quality] * std::pow(kTracedPixels / std::max(pixels, 1.0), kEdges[quality]);
   if (film.raw) traced = kRawPixelTraced * film.drawn_size()[0] * film.drawn_size()[1];
-  traced *= tracing * (f.copies > kCrowd ? kCrowded : 1);
+  traced *= tracing * (f.crowd > kCrowd ? kCrowded : 1);
   return text / kBytesRead + f.shared_bytes / kModelsRead + traced +
          film.raw * (kPixelResolved + film.air * kPixelAir) * pixels;
 }
@@ -250,7 +249,7 @@ void Sums::add_sown(const Preset& preset, std::size_t o, const SizeEstimate& siz
   double models = 0, model = model_bytes(preset, organism, size, count);
   for (int m = 0; m < organism.sown->models; ++m) models += grown.insert(copy_id(organism, m)).second;
   if (trees > 0) models *= kLibrary;
-  f.copies += count;
+  f.copies += count, f.crowd += organism.place.on.empty() ? count : 0;
   f.models += models;
   f.shared_bytes += models * model;
   f.growth_seconds += models * (made + model / kModelWritten);
@@ -357,7 +356,7 @@ Result<CostEstimate> estimate_cost(const Preset& preset, FilmPart part) {
   if (!sums) return sums.errors();
   CostEstimate& f = sums->f;
   GroundCostEstimate ground =
-      estimate_ground_cost(preset, tallest_of(preset), f.copies > kCrowdedLight, sums->standing);
+      estimate_ground_cost(preset, tallest_of(preset), f.crowd > kCrowdedLight, sums->standing);
   f.frames = part.count();
   f.resolve_memory = estimate_resolving(preset);
   f.tracing_disk = estimate_tracing_disk(preset.film);

@@ -12,6 +12,7 @@ namespace frond {
 struct CostEstimate {
   double organisms = 0, modules = 0, nodes = 0, organs = 0;  ///< of all that grows with the scene
   double copies = 0, models = 0;                             ///< of what is sown, and what they are copies of
+  double crowd = 0;                                          ///< of the copies those that cover the land
   int frames = 0, exposures = 1;                             ///< of the film; scenes of each frame
   double frame_bytes = 0;    ///< of the text of one frame when all is grown, and of what it alone reads
   double shared_bytes = 0;   ///< of all files that frames share
