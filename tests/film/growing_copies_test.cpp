@@ -55,6 +55,14 @@ TEST_F(GrowingCopies, AreNotThereBeforeTheyGrowAndAreTheirModelsWhenTheyHave) {
   EXPECT_EQ(count(grown, "object{Model"), 9u);
 }
 
+TEST_F(GrowingCopies, AreNoMeshWithoutTrianglesWhereTheyHaveOnlyBegun) {
+  for (double time = 1; time < 1.2; time += 0.004) {
+    std::string text = at(time);
+    for (std::size_t i = text.find("face_indices{"); i != text.npos; i = text.find("face_indices{", i + 1))
+      EXPECT_NE(std::stoi(text.substr(i + 13)), 0) << time;
+  }
+}
+
 TEST_F(GrowingCopies, GrowOnWithoutAJump) {
   auto tall = [&](double time) {
     std::optional<Model> now =

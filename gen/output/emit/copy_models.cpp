@@ -159,7 +159,8 @@ std::vector<int> append_parts(std::string& text, std::string_view name, const Lo
     const CopyPart& part = all[p];
     bool whole = file.block == ModelFile::kWhole;
     Surface some = whole ? Surface{} : in_block(part, file.block);
-    if (!whole && some.triangle.empty()) continue;
+    const Surface& shown = whole ? part.surface : some;
+    if (file.blocks == 0 && !has_faces(shown)) continue;  // as where it has only begun to grow
     parts.push_back(static_cast<int>(p));
     text += "#declare ";
     append_part_name(text, name, p);
@@ -167,7 +168,7 @@ std::vector<int> append_parts(std::string& text, std::string_view name, const Lo
     if (file.blocks > 0)
       append_joined(text, part, name, p);
     else
-      append_mesh(text, PovSpace{kModelUnit}, skin_for(part, look, model, whole ? part.surface : some),
+      append_mesh(text, PovSpace{kModelUnit}, skin_for(part, look, model, shown),
                   mesh_text(part, look, model, file.level));
     text += "\n#macro ";
     append_part_name(text, name, p);

@@ -56,7 +56,7 @@ class Crowd {
 };
 
 /// Where a copy may stand, and how its surface faces.
-struct Spot3 {
+struct SurfacePoint {
   Vec3 at{0}, normal{0, 1, 0};
 };
 
@@ -88,7 +88,7 @@ class BodySower {
       Seed own = seed_.child("sprout", static_cast<std::uint64_t>(i));
       auto size = static_cast<float>(1 + organism_.place.size_variation * own.child("size").range(-1, 1));
       auto radius = static_cast<float>(rules_.radius) * size;
-      std::optional<Spot3> spot = find_room(suits, crowd, own, radius);
+      std::optional<SurfacePoint> spot = find_room(suits, crowd, own, radius);
       ++missed;
       if (!spot) continue;
       missed = 0;
@@ -101,13 +101,14 @@ class BodySower {
   }
 
  private:
-  std::optional<Spot3> find_room(const Suitability& suits, const Crowd& crowd, Seed own, float radius) const {
+  std::optional<SurfacePoint> find_room(const Suitability& suits, const Crowd& crowd, Seed own,
+                                        float radius) const {
     for (std::uint64_t dart = 0; dart < kDarts; ++dart) {
       Seed toss = own.child("dart").child(dart);
       auto t = static_cast<std::uint32_t>(lots_.drawn(toss.child("triangle").unit()));
       const auto& [a, b, c] = host_.triangles()[t];
       Vec3 share(drawn_weights(toss.child("u").unit(), toss.child("v").unit()));
-      Spot3 spot{a * share.x + b * share.y + c * share.z, Vec3(host_.face_normal(t))};
+      SurfacePoint spot{a * share.x + b * share.y + c * share.z, Vec3(host_.face_normal(t))};
       Vec2 flat(spot.at.x, spot.at.z);
       if (crowd.touches(spot.at, radius)) continue;
       if (slope_share(rules_, spot.normal.y) * suits(flat) <= toss.child("kept").unit()) continue;
