@@ -21,9 +21,7 @@ std::size_t layer_of(const SowOrder& order) { return static_cast<std::size_t>(or
 Seed seed_of(const SowOrder& order, int index) {
   return order.seed.child("sprout", static_cast<std::uint64_t>(index));
 }
-double size_of(const SowOrder& order, Seed own) {
-  return 1 + order.size_variation * own.child("size").range(-1, 1);
-}
+double size_of(const SowOrder& order, Seed own) { return sprout_size(order.size_variation, own); }
 
 /// All that stands while sowing.
 struct Field {
@@ -205,6 +203,10 @@ double warm_share(const Warmth& warmth, double altitude) {
 
 double size_at_altitude(const Warmth& warmth, double altitude) {
   return std::lerp(warmth.dwarf, 1.0, warm_share(warmth, altitude));
+}
+
+double sprout_size(double size_variation, Seed own) {
+  return 1 + size_variation * own.child("size").range(-1, 1);
 }
 
 double hidden_sky(double distance, double radius) {

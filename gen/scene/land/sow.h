@@ -78,6 +78,9 @@ struct Sprout {
   Seed seed;                ///< its own
 };
 
+/// The size of a plant by its own seed, about 1.
+double sprout_size(double size_variation, Seed own);
+
 /// Share of the sky hidden by a crown of `radius` from a ground point at that distance from its stem, 0 to 1:
 /// all within the radius, none beyond 2.2 radii. Several crowns hide 1 - (1 - a)(1 - b)...
 double hidden_sky(double distance, double radius);

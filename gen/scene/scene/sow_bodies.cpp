@@ -86,7 +86,7 @@ class BodySower {
     int missed = 0;
     for (int i = 0; i < organism_.count && missed < kPatience; ++i) {
       Seed own = seed_.child("sprout", static_cast<std::uint64_t>(i));
-      auto size = static_cast<float>(1 + organism_.place.size_variation * own.child("size").range(-1, 1));
+      auto size = static_cast<float>(sprout_size(organism_.place.size_variation, own));
       auto radius = static_cast<float>(rules_.radius) * size;
       std::optional<SurfacePoint> spot = find_room(suits, crowd, own, radius);
       ++missed;

@@ -20,7 +20,6 @@ constexpr float kOfZenith = 0.2f;  // of that: mist whitens the blue of the sky
 constexpr float kOfShade = 0.4f;   // of the haze's, from crowns and walls where they hide the sky
 constexpr float kDisc = 0.005f;    // radians, radius of the sun and of the glow at its rim
 constexpr float kLikeDepth = 6;    // how soon cells at other distances count for little
-constexpr double kLevel = 1e-5;    // rise, metres in a metre, of a ray that is level
 constexpr float kSeen = 3.912f;    // losses in the distance of visibility (Koschmieder 1924)
 
 /// An order of the sixteen cells of a block of four by four in which neighbours are far apart (Bayer 1973).
@@ -30,6 +29,12 @@ constexpr int kOrder[16] = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5
 float phase(float cosine, float forward) {
   float g2 = forward * forward;
   return (1 - g2) / std::pow(1 + g2 - 2 * forward * cosine, 1.5f);
+}
+
+/// Metres in a metre by which a ray rises or falls, not 0.
+double rise_of(Vec3 along) {
+  constexpr double kLevel = 1e-5;
+  return std::abs(along.y) < kLevel ? kLevel : along.y;
 }
 
 }  // namespace
@@ -68,14 +73,12 @@ double AirLight::column(double height) const {
 }
 
 float AirLight::passed(Vec3 along, float metres) const {
-  double from = frame_.eye.at.y, rise = along.y;
-  if (std::abs(rise) < kLevel) rise = kLevel;
+  double from = frame_.eye.at.y, rise = rise_of(along);
   return static_cast<float>(std::exp(-loss_ * (column(from + rise * metres) - column(from)) / rise));
 }
 
 float AirLight::reached(Vec3 along, float passed) const {
-  double from = frame_.eye.at.y, rise = along.y;
-  if (std::abs(rise) < kLevel) rise = kLevel;
+  double from = frame_.eye.at.y, rise = rise_of(along);
   double to = column(from) - rise * std::log(passed) / loss_;
   double above = to < 0 ? to : -height_ * std::log(std::max(1e-9, 1 - to / height_));
   return static_cast<float>((level_ + above - from) / rise);
@@ -84,7 +87,7 @@ float AirLight::reached(Vec3 along, float passed) const {
 Vec2 AirLight::visible(const Way& way, Vec2 cell) const {
   auto x = static_cast<unsigned>(cell.x), y = static_cast<unsigned>(cell.y);
   float offset = (static_cast<float>(kOrder[y % 4 * 4 + x % 4]) + 0.5f) / 16;
-  Vec3 aside = glm::normalize(glm::cross(sun_, std::abs(sun_.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0)));
+  Vec3 aside = glm::normalize(glm::cross(sun_, reference_axis(sun_)));
   Vec3 up = glm::cross(aside, sun_);
   Vec2 seen(0);
   for (int step = 0; step < kSteps; ++step) {
