@@ -56,6 +56,19 @@ TEST(WriteFile, AFullDiskIsToldInOurWords) {
   EXPECT_EQ(reason_of(std::make_error_code(std::errc::permission_denied)), "Permission denied");
 }
 
+TEST(PathFrom, AFolderThatIsNotThereYetIsAsGoodAsOneThatIs) {
+  Folder folder;
+  fs::path before = fs::current_path();
+  fs::current_path(folder.path);
+  fs::path there = path_from("out/film", "preset.json"),
+           whole = path_from("out/film", folder.path / "preset.json");
+  fs::create_directories("out/film");
+  EXPECT_EQ(there, path_from("out/film", "preset.json"));
+  fs::current_path(before);
+  EXPECT_EQ(there, fs::path("../../preset.json"));
+  EXPECT_EQ(whole, there);
+}
+
 TEST(FilesIn, NoFolderHoldsNothing) { EXPECT_TRUE(files_in("/nowhere/at/all").empty()); }
 
 }  // namespace

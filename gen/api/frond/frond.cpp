@@ -221,7 +221,6 @@ namespace {
 std::vector<std::string> resolve_words(const Preset& preset, const std::vector<std::string>& sets,
                                        const fs::path& out) {
   const Preset::Data& data = preset.data();
-  std::error_code error;
   fs::path file = out / "preset.json";
   if (data.on_disk) {
     file = data.file;
@@ -229,10 +228,10 @@ std::vector<std::string> resolve_words(const Preset& preset, const std::vector<s
     std::string text = or_throw(with_whole_paths(data.source, data.file.parent_path()));
     or_throw(write_file(file, text), false);
   }
-  std::vector<std::string> words{fs::relative(file, out, error).string(), "--film=.", "--quiet"};
+  std::vector<std::string> words{path_from(out, file).string(), "--film=.", "--quiet"};
   if (words[0].starts_with('-')) words[0].insert(0, "./");
   for (const std::string& set : sets) words.push_back("--set=" + set);
-  if (data.assets) words.push_back("--assets=" + fs::relative(*data.assets, out, error).string());
+  if (data.assets) words.push_back("--assets=" + path_from(out, *data.assets).string());
   return words;
 }
 

@@ -3,6 +3,7 @@
 #include "cli/messages.h"
 #include "cli/rendering.h"
 #include "cli/terminal_events.h"
+#include "core/files.h"
 #include "core/parallel.h"
 #include "pipeline/write_film.h"
 #include "render/process.h"
@@ -17,9 +18,8 @@ namespace {
 
 /// What says to `frond resolve` in the folder of the film what it is of.
 std::vector<std::string> resolve_words(PresetArguments preset, const fs::path& out) {
-  std::error_code error;
-  preset.path = fs::relative(preset.path, out, error).string();
-  if (preset.assets) preset.assets = fs::relative(*preset.assets, out, error).string();
+  preset.path = path_from(out, preset.path).string();
+  if (preset.assets) preset.assets = path_from(out, *preset.assets).string();
   std::vector<std::string> words;
   add_words(words, preset);
   words.insert(words.end(), {"--film=.", "--quiet"});  // ninja would show what is told only afterwards

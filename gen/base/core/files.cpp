@@ -81,6 +81,11 @@ std::string reason_of(std::error_code error) {
   return error.message();
 }
 
+fs::path path_from(const fs::path& folder, const fs::path& path) {
+  std::error_code error;
+  return fs::relative(fs::absolute(path, error), fs::absolute(folder, error), error);
+}
+
 fs::path temporary_beside(const fs::path& path) {
   constexpr unsigned kNumbers = 1'000'000;
   static std::atomic<unsigned> next = 0;

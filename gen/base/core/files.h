@@ -45,6 +45,10 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
 /// The sorted entries of a folder and of all folders below it, as far as files_in() lists them.
 std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder);
 
+/// A path as seen from a folder, which need not be there yet: one that is not is no reason for an empty path,
+/// as it is to std::filesystem::relative.
+std::filesystem::path path_from(const std::filesystem::path& folder, const std::filesystem::path& path);
+
 /// The system's message for an error, but "no room on the disk" for a full one.
 std::string reason_of(std::error_code error);
 

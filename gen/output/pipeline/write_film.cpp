@@ -103,12 +103,11 @@ Errors write_jobs(const FilmFolder& film, const std::vector<std::size_t>& nodes,
   jobs.rendered = rendered;
   jobs.title = preset.title;
   jobs.seed = preset.seed;
-  std::error_code error;
-  jobs.povinc = fs::relative(film.home / "povinc", film.out, error).string();
-  jobs.program = fs::relative(film.program, film.out, error).string();
+  jobs.povinc = path_from(film.out, film.home / "povinc").string();
+  jobs.program = path_from(film.out, film.program).string();
   for (const fs::path& file : files_in(film.home / "povinc"))
     if (file.extension() == ".inc") jobs.includes.push_back(file.filename());
-  if (error || jobs.includes.empty())
+  if (jobs.includes.empty())
     return {{(film.home / "povinc").string(), "holds no .inc files; set FROND_HOME to the folder of Frond"}};
 
   Manifest manifest;
