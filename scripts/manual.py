@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Usage: scripts/manual.py [--check | --strips [--again NAME...]]
 
-Writes docs/kinds/*.md and docs/settings/*.md from what `frond describe --json` says, docs/library.md from the header of
-the library, and renders the strips of kinds and settings.
+Writes docs/kinds/*.md and docs/settings/*.md from what `frond describe --json` says, docs/species.md from what `frond list
+--json` says, docs/library.md from the header of the library, and renders the strips of kinds and settings.
 
   scripts/manual.py              the pages, with the strips that there are
   scripts/manual.py --check      whether the pages are those of the program; writes nothing
@@ -37,11 +37,10 @@ def describe():
     return json.loads(subprocess.run([FROND, "describe", "--json"], check=True, capture_output=True).stdout)
 
 
-def kinds():
-    listed = json.loads(subprocess.run([FROND, "list", "--json"], check=True, capture_output=True).stdout)
-    names = {group: [(row["name"], row["doc"]) for row in listed if row["group"] == group]
-             for group in ("growers", "settings")}
-    return names["growers"], names["settings"]
+def listed(*groups):
+    """What there is of each group, as pairs of a name and what is said of it."""
+    rows = json.loads(subprocess.run([FROND, "list", "--json"], check=True, capture_output=True).stdout)
+    return [[(row["name"], row["doc"]) for row in rows if row["group"] == group] for group in groups]
 
 
 def strip_name(path):
@@ -200,13 +199,48 @@ def library_page():
     return page
 
 
+SPECIES = """# Species
+
+Plants by their names: each is a preset that renders by itself, found by its file's name, its Latin name or any everyday
+name, and that other scenes name as the species of their own plants.
+
+    frond render lavender
+    frond render "Rosa centifolia"
+    frond describe daisy
+    frond new my_garden --with rose,lavender,apple
+
+The last one writes a preset of a bed in which these stand, the tall ones behind, in drifts of as many as suit their sizes,
+before a camera that frames them. In a preset:
+
+    {"species": "lavender", "count": 30, "place": {"radius": 2}}
+    {"species": "wheat", "count": 20000, "sown": {"models": 6, "where": {"radius": 0.03}}}
+
+All that a species says of how it grows and looks may be given anew there. `taxon` in its preset has the names, the usual
+sizes of the plant, its leaves, flowers and fruit, the months of both, and where these figures come from. A test grows one
+plant of each and holds it to them.
+"""
+
+
+def species_page(species):
+    page = SPECIES
+    for sheet in sorted((ROOT / "docs/gallery").glob("species-*.jpg")):
+        page += f"\n![{sheet.stem.removeprefix('species-').replace('_', ' ')}](gallery/{sheet.name})\n"
+    page += "\n| species | Latin name | also called | flowers | fruit |\n| --- | --- | --- | --- | --- |\n"
+    for name, doc in species:
+        taxon, *times = doc.split("; ")
+        latin, names = taxon.split(": ")
+        months = dict(time.split(" ", 1) for time in times)
+        page += f"| `{name}` | *{latin}* | {names} | {months.get('flowers', '')} | {months.get('fruit', '')} |\n"
+    return page
+
+
 def sentence_of(text):
     return text[0].upper() + text[1:] + "."
 
 
 def pages():
     topics = describe()
-    growers, settings = kinds()
+    growers, settings, species = listed("growers", "settings", "species")
     made = {}
     for name, doc in growers:
         common = "\nAll kinds share [these properties](organism.md).\n"
@@ -227,6 +261,7 @@ def pages():
     made["settings/README.md"] = ("# Settings\n\n" + index +
                                   "* [preset](preset.md): film, camera, wind, events and the rest of a preset\n" + MADE)
     made["library.md"] = library_page() + MADE
+    made["species.md"] = species_page(species) + MADE
     return made
 
 

@@ -764,6 +764,42 @@ JSON
   [[ "$output" == *'did you mean "tree"?'* ]]
 }
 
+@test "new lays out a bed of species by any of their names, the tall ones behind" {
+  "$frond" new bed --with "snowdrop,Lavandula angustifolia,tulip" -q
+  run "$frond" check bed.json
+  [ "$status" -eq 0 ]
+  [ "$output" = "" ]
+  "$frond" info bed.json --json --sizes > sizes.json
+  python3 - <<'END'
+import json, re
+heights = {row["name"]: row["height"] for row in json.load(open("sizes.json"))["sizes"]}
+text = re.sub(r"^ *//.*", "", open("bed.json").read(), flags=re.M)
+depth = {}
+for one in json.loads(text)["organisms"]:
+    at = one["place"]["at"]
+    assert len(at) == one["count"] > 1
+    depth[one["name"]] = sum(z for _, z in at) / len(at)
+assert sorted(heights, key=heights.get) == sorted(depth, key=depth.get, reverse=True), (heights, depth)
+END
+  run "$frond" new other --with lavendre,table_coral
+  [ "$status" -eq 2 ]
+  [[ "$output" == *'did you mean "lavender"?'* ]]
+  [[ "$output" == *'"table_coral" lives under water'* ]]
+  [ ! -e other.json ]
+  run "$frond" new other
+  [ "$status" -ne 0 ]
+  [[ "$output" == *"--from or --with"* ]]
+}
+
+@test "a species is found by its Latin name and by an everyday one" {
+  "$frond" list --json | python3 -c 'import json, sys; rows = [r for r in json.load(sys.stdin) if r["group"] == "species"]
+assert len(rows) > 30 and any("Lavandula" in r["doc"] for r in rows)'
+  run "$frond" check "lavandula angustifolia" "English lavender"
+  [ "$status" -eq 0 ]
+  run "$frond" describe Lavandula
+  [[ "$output" == *"species/plants/lavender.json"* ]]
+}
+
 @test "describe says what a property does, by name and by word" {
   run "$frond" describe tree/habit/internode
   [ "$status" -eq 0 ]

@@ -125,7 +125,7 @@ Preset::~Preset() = default;
 Preset Preset::read(const fs::path& file, const std::optional<fs::path>& assets) {
   std::error_code error;
   std::optional<fs::path> shipped;
-  if (!fs::exists(file, error)) shipped = shipped_preset(file.string());
+  if (!fs::exists(file, error)) shipped = shipped_by_name(file.string());
   fs::path found = shipped.value_or(file);
   return Preset(data_of(or_throw(read_file(found)), found, true, assets));
 }

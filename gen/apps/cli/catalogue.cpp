@@ -18,6 +18,7 @@
 #include "preset/json.h"
 #include "scene/describe.h"
 #include "scene/scene.h"
+#include "scene/taxon.h"
 #include "settings/settings.h"
 
 // What there is and how large it is: info, list, schema.
@@ -44,6 +45,20 @@ std::string title_of(const fs::path& file) {
   return preset ? preset->title : "(has faults)";
 }
 
+/// `Rosa canina: dog rose, briar; flowers June to July`.
+std::string names_text(const Taxon& taxon) {
+  constexpr std::string_view kMonths[] = {"January",   "February", "March",    "April",
+                                          "May",       "June",     "July",     "August",
+                                          "September", "October",  "November", "December"};
+  auto month = [&](float number) { return kMonths[static_cast<std::size_t>(number) - 1]; };
+  std::string text = fmt::format("{}: {}", taxon.latin, fmt::join(taxon.names, ", "));
+  if (taxon.flowering)
+    text += fmt::format("; flowers {} to {}", month(taxon.flowering->x), month(taxon.flowering->y));
+  if (taxon.fruiting)
+    text += fmt::format("; fruit {} to {}", month(taxon.fruiting->x), month(taxon.fruiting->y));
+  return text;
+}
+
 std::vector<Entry> entries(const fs::path& root) {
   std::vector<Entry> list;
   for (const auto& row : organism_kinds())
@@ -56,6 +71,8 @@ std::vector<Entry> entries(const fs::path& root) {
   for (const fs::path& file : files) {
     list.push_back({"presets", file.lexically_relative(root).string(), title_of(file)});
   }
+  for (const ShippedSpecies& one : shipped_species())
+    list.push_back({"species", one.file.stem().string(), names_text(one.taxon)});
   for (const TurtleSymbol& symbol : turtle_symbols())
     list.push_back({"symbols", std::string(symbol.name), std::string(symbol.doc)});
   return list;

@@ -227,6 +227,7 @@ struct GalleryArguments {
 struct NewArguments {
   std::string name;               ///< of the file to write, with or without its .json
   std::string from;               ///< a kind, the file of a preset, or the name of one that is shipped
+  std::vector<std::string> with;  ///< species of a bed, in place of `from`
   std::string program = "frond";  ///< as it was called, for what is said to come next
   bool quiet = false;
 };

@@ -57,7 +57,7 @@ void add_pointers(const Topic& topic, const Strings& all, const Strings& kinds,
 Strings pointers_in(const Strings& words) {
   Strings kinds;
   for (const std::string& word : words) {
-    std::optional<fs::path> shipped = shipped_preset(word);
+    std::optional<fs::path> shipped = shipped_by_name(word);
     Result<std::string> text = read_file(shipped.value_or(fs::path(word)));
     Result<Document> document = text ? parse_json(*text, word) : text.errors();
     const Value* organisms = document ? document->root.find("organisms") : nullptr;

@@ -259,7 +259,8 @@ void add_catalogue(CLI::App& app, int& result) {
   auto* schema_command = app.add_subcommand("schema", "Prints the JSON Schema of presets");
   schema_command->callback([&result] { result = print_schema(); });
   auto json = std::make_shared<bool>(false);
-  auto* list_command = app.add_subcommand("list", "Lists growers, settings, presets and turtle symbols");
+  auto* list_command =
+      app.add_subcommand("list", "Lists growers, settings, presets, species and turtle symbols");
   list_command->add_flag("--json", *json, "For machines");
   list_command->callback([&result, json] { result = list_everything(*json); });
 }
@@ -281,10 +282,16 @@ void add_new(CLI::App& app, int& result) {
   auto* command = app.add_subcommand("new", "Writes a commented preset to begin with");
   command->add_option("name", to->name, "The file to write; .json is added where it is missing")->required();
   command->add_option("--from", to->from, "A kind, as tree, or a preset, as presets/trees/oak.json or oak")
-      ->required();
+      ->excludes(command
+                     ->add_option("--with", to->with,
+                                  "Species of a bed that is laid out by their sizes, as rose,lavender,apple")
+                     ->delimiter(','));
   command->add_flag("-q,--quiet", to->quiet, "Does not say what comes next");
-  command->footer("Examples:\n  frond new my_tree --from tree\n  frond new my_reef --from presets/reef.json");
+  command->footer(
+      "Examples:\n  frond new my_tree --from tree\n  frond new my_reef --from presets/reef.json\n"
+      "  frond new my_garden --with rose,lavender,apple");
   command->callback([&app, &result, to] {
+    if (to->from.empty() && to->with.empty()) throw CLI::RequiredError("--from or --with");
     to->program = app.get_name();
     result = new_preset(*to);
   });

@@ -5,6 +5,7 @@
 
 #include "core/home.h"
 #include "organisms/kinds.h"
+#include "scene/taxon.h"
 
 namespace frond {
 
@@ -38,7 +39,7 @@ std::string preset_named(const std::string& word) {
     if (fs::path file = home_folder() / "templates" / "new" / (word + ".json");
         row.name == word && fs::is_regular_file(file, error))
       return typed(file);
-  std::optional<fs::path> shipped = shipped_preset(word);
+  std::optional<fs::path> shipped = shipped_by_name(word);
   return shipped ? typed(*shipped) : word;
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "cli/commands.h"
+#include "cli/flower_bed.h"
 #include "cli/inputs.h"
 #include "cli/messages.h"
 #include "cli/named.h"
@@ -194,9 +195,10 @@ int new_preset(const NewArguments& arguments) {
   std::error_code error;
   if (fs::exists(path, error))
     return fail({Error{path.string(), "is there already; expected a name that is free"}}, kWrongInput);
-  Result<fs::path> from = find_beginning(arguments.from, *root);
+  bool bed = !arguments.with.empty();
+  Result<fs::path> from = bed ? fs::path() : find_beginning(arguments.from, *root);
   if (!from) return fail(from.errors(), kWrongInput);
-  Result<Value> read = read_beginning(*from, arguments.from);
+  Result<Value> read = bed ? flower_bed(arguments.with) : read_beginning(*from, arguments.from);
   if (!read) return fail(read.errors(), kWrongInput);
 
   fs::path folder = fs::absolute(path, error).parent_path();
@@ -206,7 +208,7 @@ int new_preset(const NewArguments& arguments) {
              make_text(fs::proximate(*root / "docs" / "preset.schema.json", folder, error).generic_string()));
   preset.set("title", make_text(path.stem().string()));
   // What begins as a preset that is there grows as that does; what begins as a kind, by the rules of today.
-  if (begins_as_kind(arguments.from)) preset.set("version", make_number(kPresetVersion));
+  if (bed || begins_as_kind(arguments.from)) preset.set("version", make_number(kPresetVersion));
   preset.set("seed", make_number(1));
   for (Member& member : read->members)
     if (member.name != "$schema" && member.name != "title") preset.set(member.name, std::move(member.value));

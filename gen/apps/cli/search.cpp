@@ -60,6 +60,11 @@ std::string names_of(const Value& root) {
     for (const Value& organism : list->items)
       for (const char* name : {"name", "kind", "species"})
         if (const Value* said = organism.find(name)) names += " " + said->text;
+  if (const Value* taxon = root.find("taxon")) {
+    if (const Value* latin = taxon->find("latin")) names += " " + latin->text;
+    if (const Value* list = taxon->find("names"))
+      for (const Value& name : list->items) names += " " + name.text;
+  }
   return names;
 }
 

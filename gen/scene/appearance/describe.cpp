@@ -227,6 +227,14 @@ void describe(Properties& v, LeafLook& l) {
            "Factor of the leaf's width; 1 leaves the shape as it is");
   v.number("stalk", l.stalk, {.min = 0, .max = 0.8},
            "Length of the stalk as a share of the whole leaf; without it as is usual for its shape");
+  v.number("teeth", l.teeth, {.min = 0, .max = 60},
+           "Number of teeth along either side; not given: as of its shape");
+  v.number("tooth", l.tooth, {.min = 0, .max = 0.3},
+           "Depth of the teeth as a share of the radius; not given: as of its shape");
+  v.boolean("palmate", l.palmate,
+            "Whether the main veins run from the stalk to the lobes, as in maple and vine, instead of from "
+            "the midrib; not "
+            "given: as of its shape");
   v.number("size", l.size, {.min = 0.001, .max = 10, .unit = "m"},
            "Length of a leaf, or of a whole sprig where sprig is true");
   v.boolean("sprig", l.sprig, "Whether sprigs of several leaves stand where single leaves would");

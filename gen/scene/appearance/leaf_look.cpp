@@ -69,6 +69,9 @@ LeafImage leaf_image(const LeafLook& look, std::size_t color) {
   }
   leaf.outline.width *= look.width;
   if (look.stalk) leaf.outline.stalk = *look.stalk;
+  if (look.teeth) leaf.outline.teeth = *look.teeth;
+  if (look.tooth) leaf.outline.tooth = *look.tooth;
+  if (look.palmate) leaf.outline.palmate = *look.palmate;
   leaf.sprig = look.sprig;
   leaf.sprigs = look.sprigs;
   LeafTint tint = leaf_tint(look, color);

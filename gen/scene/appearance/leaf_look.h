@@ -40,9 +40,11 @@ struct LeafLook {
   double width = 1;             ///< factor
   FileName photo;               ///< a photograph of a leaf that was cut out, instead of the shape
   std::shared_ptr<const LeafPhoto> photographed;  ///< what that file holds
-  std::optional<double> stalk;  ///< length as a share of the whole leaf; none: that of its shape
-  double size = 0.08;           ///< metres, of a leaf or a sprig
-  bool sprig = false;           ///< sprigs rather than leaves
+  std::optional<double> stalk;         ///< length as a share of the whole leaf; none: that of its shape
+  std::optional<double> teeth, tooth;  ///< as in LeafOutline; none: as of its shape
+  std::optional<bool> palmate;         ///< likewise
+  double size = 0.08;                  ///< metres, of a leaf or a sprig
+  bool sprig = false;                  ///< sprigs rather than leaves
   Sprig sprigs;
   bool end_sprigs = false;  ///< sprigs along branches have no leaf at their tip, those at ends do
   std::vector<Color> colors{{0.26f, 0.44f, 0.11f}, {0.31f, 0.48f, 0.13f}, {0.38f, 0.50f, 0.14f}};

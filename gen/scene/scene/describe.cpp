@@ -301,6 +301,10 @@ void describe(Properties& v, Preset& p) {
             "without a name of their kind");
   v.integer("seed", p.seed, {.min = 0, .max = 9e15},
             "Seed of everything random: another number gives another reef, tree or wood by the same rules");
+  v.object("taxon", p.taxon,
+           "What is known of the species that the first organism is; it is found by these names, and nothing "
+           "grows "
+           "otherwise by it");
   v.custom(
       "palettes", p.palettes, read_palettes, kPalettesSchema,
       "Lists of colours by name: `palette:autumn/0` stands for the first one of autumn wherever a colour "

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/home.h"
 #include "preset/fault.h"
 #include "preset/json.h"
 #include "preset/merge.h"
@@ -13,6 +12,7 @@
 #include "preset/palettes.h"
 #include "preset/reader.h"
 #include "scene/describe.h"
+#include "scene/taxon.h"
 
 namespace frond {
 
@@ -60,12 +60,12 @@ fs::path folder_of(const Value& value, const std::string& file_name) {
 }
 
 /// The file of a preset that another one in `folder` names, as its `base` or a `species`: by the rule for all
-/// files, and where there is none by that rule, one that comes with Frond, as shipped_preset() finds it.
+/// files, and where there is none by that rule, one that comes with Frond, as shipped_by_name() finds it.
 Result<NamedFile> read_named_preset(const Assets& assets, const std::string& name, const fs::path& folder) {
   Result<NamedFile> file = assets.read(name, folder);
   std::error_code error;
   if (file || fs::exists(folder / name, error)) return file;
-  std::optional<fs::path> shipped = shipped_preset(name);
+  std::optional<fs::path> shipped = shipped_by_name(name);
   return shipped ? assets.read(shipped->string(), folder) : file;
 }
 
@@ -142,6 +142,9 @@ Errors lay_on_species(Value& root, const std::string& file_name, const Assets& a
     if (Value* place = kind.find("place"))
       for (std::string_view own : {"at", "in", "along", "on", "center", "inner", "radius"})
         place->remove(own);
+    // Copies are sown by rules of their own.
+    if (Value* place = organism.find("sown") ? kind.find("place") : nullptr)
+      for (std::string_view own : {"spacing", "rock"}) place->remove(own);
     organism.remove("species");
     organism = overlay(kind, organism);
   }

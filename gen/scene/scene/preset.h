@@ -14,6 +14,7 @@
 #include "organisms/organism.h"
 #include "plan/plan.h"
 #include "preset/palettes.h"
+#include "scene/taxon.h"
 #include "settings/scene_setup.h"
 
 namespace frond {
@@ -28,6 +29,7 @@ struct Preset {
   std::string title;
   std::string base;  ///< a preset that this one is laid over, as seen from its folder; empty: none
   std::uint64_t seed = 1;
+  std::optional<Taxon> taxon;  ///< what is known of the species of its first organism
   Palettes palettes;
   Film film;
   SceneSetup setup;
