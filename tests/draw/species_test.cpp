@@ -100,8 +100,9 @@ TEST_P(Species, IsOfItsSize) {
       expect_within(one.part->size, one.part->share * length_of(grown, one.part->organ), one.what);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Species, testing::ValuesIn(files()),
-                         [](const auto& file) { return file.param.stem().string(); });
+INSTANTIATE_TEST_SUITE_P(All, Species, testing::ValuesIn(files()), [](const auto& file) {
+  return file.param.parent_path().stem().string() + "_" + file.param.stem().string();
+});
 
 TEST(ShippedSpecies, AreFoundByAnyName) {
   std::vector<ShippedSpecies> all = shipped_species();
