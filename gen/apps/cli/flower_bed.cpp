@@ -186,7 +186,7 @@ Value scene_of(const std::vector<Drift>& drifts) {
       .set("warmth", make_number(0.06))
       .set("vignette", make_number(0.2));
   Value garden = make_object();
-  garden.set("hour", make_number(8.5)).set("south", make_number(200)).set("gravel", make_number(0.025));
+  garden.set("hour", make_number(8.5)).set("south", make_number(200)).set("clods", make_number(0.02));
   garden.set("areas", make_list({earth_of(drifts)}));
   Value meadow = make_object();
   meadow.set("blade", make_number(0.06)).set("blades", make_number(1400)).set("extent", make_number(16));

@@ -23,6 +23,7 @@ void describe(Properties& v, Garden& g) {
          "Areas of gravel or of bare earth in the lawn; a plan adds its ways and rooms to them");
   v.integer("lilies", g.lilies, {.min = 0, .max = 2000}, "Number of leaves of water lilies on the pond");
   v.number("gravel", g.gravel, {.min = 0.02, .max = 1, .unit = "m"}, "Size of the stones on the path");
+  v.number("clods", g.clods, {.min = 0.01, .max = 1, .unit = "m"}, "Size of the clods of earth in beds");
   v.color("gravel_color", g.gravel_color, "Colour of the stones on the path");
   v.color("earth_color", g.earth_color, "Colour of bare earth");
 }
@@ -31,22 +32,30 @@ namespace {
 
 constexpr double kLand = 150;  // metres from the middle
 
-void check_gravel(Errors& list, const Garden& garden) {
-  std::vector<Vec2> points = spline_points(garden.path.points);
-  double length = polyline_length(std::span<const Vec2>(points)), side = 10 * garden.gravel;
-  double gravel = length * garden.path.width;
+/// Square metres of the boxes of areas of a kind.
+double square_metres(const Garden& garden, GroundArea::Kind kind) {
+  double sum = 0;
   for (const GroundArea& area : garden.areas)
-    if (area.kind == GroundArea::Kind::gravel) {
+    if (area.kind == kind) {
       auto [low, high] = area.box();
-      gravel += static_cast<double>((high.x - low.x) * (high.y - low.y));
+      sum += static_cast<double>((high.x - low.x) * (high.y - low.y));
     }
-  double patches = gravel / (side * side);
-  if (patches > kMostPatches)
-    list.push_back(
-        {"/garden/gravel",
-         fmt::format("stones of {:g} m take {:.2g} patches on such a path; expected {:g} at most, by "
-                     "larger stones or a shorter or narrower path",
-                     garden.gravel, patches, kMostPatches)});
+  return sum;
+}
+
+void check_stones(Errors& list, const Garden& garden) {
+  std::vector<Vec2> points = spline_points(garden.path.points);
+  double path = polyline_length(std::span<const Vec2>(points)) * garden.path.width;
+  auto check = [&](const char* pointer, double size, double covered, const char* what) {
+    double side = 10 * size, patches = covered / (side * side);
+    if (patches > kMostPatches)
+      list.push_back(
+          {pointer, fmt::format("stones of {:g} m take {:.2g} patches on such {}; expected {:g} at most, by "
+                                "larger ones or less of it",
+                                size, patches, what, kMostPatches)});
+  };
+  check("/garden/gravel", garden.gravel, path + square_metres(garden, GroundArea::Kind::gravel), "a path");
+  check("/garden/clods", garden.clods, square_metres(garden, GroundArea::Kind::earth), "earth");
 }
 
 }  // namespace
@@ -81,7 +90,7 @@ SettingRow garden_setting() {
       [](const SceneSetup& setup, const Film&) {
         Errors errors = check_grass(setup.block<Meadow>().lawn);
         check_path(errors, setup.block<Garden>().path, "/garden/path/points", kLand);
-        if (errors.empty()) check_gravel(errors, setup.block<Garden>());
+        if (errors.empty()) check_stones(errors, setup.block<Garden>());
         return errors;
       },
       [](const SceneSetup& setup, const Film& film) {
@@ -97,6 +106,7 @@ SettingRow garden_setting() {
                                            Plot(garden.pond, garden.path, seed.child("plot"), garden.areas),
                                            garden.lilies, garden.gravel, garden.path.width, seed);
         lawn->gravel_color = garden.gravel_color, lawn->earth_color = garden.earth_color;
+        lawn->clods = garden.clods;
         return lawn;
       },
       [](const SceneSetup& setup) {

@@ -26,7 +26,6 @@ constexpr double kNoEdge = 1e6;            // metres, where there is no such edg
 /// edge runs through.
 constexpr int kHalvings = 2;
 constexpr double kCover = 1.05;  // blades that stand for one
-constexpr double kClod = 0.05;   // metres, of the earth in beds
 
 /// Lays squares of `side` metres, in sizes down to side / 2^kHalvings, wherever `edge` (metres to the edge,
 /// below 0 inside) says so. Shapes are numbered: kTurfShapes of each of `mixtures`, and those of each size,
@@ -306,13 +305,13 @@ void Lawn::lay_gravel(Seed seed) {
 /// Covers the beds with clods, where no path leads across.
 void Lawn::lay_earth(Seed seed) {
   if (!plot_.has_earth()) return;
-  earth = stone_patches(kClod, seed);
+  earth = stone_patches(clods, seed);
   auto edge = [&](Vec2 at) {
     return std::max(
         {plot_.earth_distance(at), -plot_.path_distance(at), kDryStones - plot_.pond_distance(at)});
   };
-  pave({heights(), seed, edge, earth_patches}, corners_of(plot_, GroundArea::Kind::earth), kClod,
-       kPatchStones * kClod);
+  pave({heights(), seed, edge, earth_patches}, corners_of(plot_, GroundArea::Kind::earth), clods,
+       kPatchStones * clods);
 }
 
 Mask Lawn::map() const {
@@ -363,7 +362,7 @@ std::size_t Lawn::bytes() const {
                       bytes_of(gravel_patches) + bytes_of(earth) + bytes_of(earth_patches) + bytes_of(water_);
   for (const Turf& one : turf) bytes += bytes_of(one.blades) + bytes_of(one.leaves) + bytes_of(one.flowers);
   for (const Surface& stones : gravel) bytes += bytes_of(stones);
-  for (const Surface& clods : earth) bytes += bytes_of(clods);
+  for (const Surface& shape : earth) bytes += bytes_of(shape);
   return bytes;
 }
 

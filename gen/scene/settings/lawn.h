@@ -67,6 +67,7 @@ class Lawn final : public Grounds {
   std::vector<Patch> turf_patches;
   std::vector<Surface> gravel, earth;
   std::vector<Patch> gravel_patches, earth_patches;
+  double clods = 0.05;  ///< metres, of the earth in beds
   Color gravel_color{0.62f, 0.57f, 0.49f}, earth_color{0.33f, 0.25f, 0.18f};
 
  private:
