@@ -205,7 +205,7 @@ Plants by their names: each is a preset that renders by itself, found by its fil
 name, and that other scenes name as the species of their own plants.
 
     frond render lavender
-    frond render "Rosa centifolia"
+    frond render "Lavandula angustifolia"
     frond describe daisy
     frond new my_garden --with rose,lavender,apple
 
