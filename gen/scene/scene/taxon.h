@@ -34,14 +34,13 @@ struct Taxon {
 void describe(Properties& v, TaxonPart& p);
 void describe(Properties& v, Taxon& t);
 
-/// A species that comes with Frond, below presets/species.
+/// A preset that comes with Frond and tells its taxon.
 struct ShippedSpecies {
   std::filesystem::path file;
-  std::string title;
   Taxon taxon;
 };
 
-/// All of them, by their paths; those presets that tell no taxon are left out.
+/// All of them, by their paths.
 std::vector<ShippedSpecies> shipped_species();
 
 /// The shipped preset that a word names: by its path or its file's name as shipped_preset() finds it, or else
