@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "cli/named.h"
 #include "core/files.h"
@@ -55,10 +56,10 @@ Result<Drift> grown_drift(const std::string& name) {
   fs::path file = preset_named(name);
   std::error_code error;
   if (!fs::is_regular_file(file, error)) {
-    std::vector<std::string> known;
+    std::set<std::string> known;
     for (const ShippedSpecies& one : shipped_species()) {
-      known.push_back(one.file.stem().string());
-      known.insert(known.end(), one.taxon.names.begin(), one.taxon.names.end());
+      known.insert(one.file.stem().string());
+      known.insert(one.taxon.names.begin(), one.taxon.names.end());
     }
     std::vector<std::string_view> views(known.begin(), known.end());
     return Error{"--with",
