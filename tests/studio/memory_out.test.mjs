@@ -21,19 +21,28 @@ const allow = megabytes => {
   execFileSync('prlimit', ['--pid', String(studio.process.pid), `--as=${megabytes ? taken * 1024 + megabytes * 2 ** 20 : 'unlimited'}:`]);
 };
 
+/** Asks until there is an answer: where memory has run out there may be none for an answer either, and the server hangs up. */
+async function answered(...question) {
+  for (let tries = 0; tries < 100; ++tries) {
+    const answer = await ask(studio, ...question).catch(() => null);
+    if (answer) return answer;
+    await new Promise(done => setTimeout(done, 100));
+  }
+  throw new Error(`no answer to ${question[1]}`);
+}
+
 async function render(text) {
-  const {status, json} = await ask(studio, 'POST', 'api/render', {doc: {text, file}, time: 0, size: [32, 18], quality: 'draft'});
+  const {status, json} = await answered('POST', 'api/render', {doc: {text, file}, time: 0, size: [32, 18], quality: 'draft'});
   assert.equal(status, 200, JSON.stringify(json));
   for (;;) {
-    // While it grows there may be no memory for an answer either.
-    const {status, json: state} = await ask(studio, 'GET', `api/render/${json.id}`).catch(() => ({}));
+    const {status, json: state} = await answered('GET', `api/render/${json.id}`);
     if (status === 200 && !['growing', 'rendering'].includes(state.state)) return state;
     await new Promise(done => setTimeout(done, 100));
   }
 }
 
 test('a render and a view for which there is no memory are told, and the server goes on', async () => {
-  const view = text => ask(studio, 'POST', 'api/scene?session=s&seq=0', {doc: {text, file}, time: 0, have: [], solo: null, hide: [], ask: null});
+  const view = text => answered('POST', 'api/scene?session=s&seq=0', {doc: {text, file}, time: 0, have: [], solo: null, hide: [], ask: null});
   assert.equal((await render(SMALL)).state, 'done');
   allow(MORE);
   const {state, message} = await render(LARGE);

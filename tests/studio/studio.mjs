@@ -86,6 +86,12 @@ export function ask(studio, method, where, body) {
   });
 }
 
+/** Goes to another part of a page, which hears of it (hashchange) a moment after its address is another. */
+export async function follow(page, address) {
+  await page.goto(address);
+  await page.evaluate(() => new Promise(requestAnimationFrame));
+}
+
 /** A page of a browser; `faults` collects what it throws. */
 export async function visit(browser, address, options = {}) {
   const context = await browser.newContext({viewport: {width: 900, height: 600}, reducedMotion: 'reduce', ...options});

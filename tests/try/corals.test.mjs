@@ -9,7 +9,7 @@ import {createRequire} from 'node:module';
 import path from 'node:path';
 import {before, test} from 'node:test';
 import {pathToFileURL} from 'node:url';
-import {browse, frond, load, preset, visit} from '../studio/studio.mjs';
+import {browse, follow, frond, load, preset, visit} from '../studio/studio.mjs';
 
 const address = pathToFileURL(path.join(process.argv[4], 'index.html')).href;
 const figures = path.resolve(process.argv[5]);
@@ -71,7 +71,7 @@ test('corals are those of the program', async () => {
 });
 
 test('sliders, lists and colours change the preset, and comments stay', async () => {
-  await page.goto(`${address}#coral=brain`);
+  await follow(page, `${address}#coral=brain`);
   const first = await said(page, 'figures');
   assert.match(first, /^36 × 3\d cm, 2\d cm high; grown in \d+\.\d s$/);
   const before = await page.getByTestId('coral-view').screenshot();
@@ -95,7 +95,7 @@ test('sliders, lists and colours change the preset, and comments stay', async ()
 
 test('what is wrong is told as the program tells it', async () => {
   const box = page.getByTestId('coral-text');
-  await page.goto(`${address}#coral=brain`);
+  await follow(page, `${address}#coral=brain`);
   await settled(page);
   const right = await box.inputValue();
   for (const [from, to] of [['"across": 0.36', '"acros": 0.36'], ['"height": 0.21', '"height": 9'], ['"lumps": 0.12', '"lumps": "much"'], ['"edge": 0.0028', '"edge": 0.1'], ['#a98a4c', '#a98a4']]) {
@@ -130,7 +130,7 @@ test('it grows by itself, and a link carries it', async () => {
   await settled(other);
   assert.equal(await other.getByTestId('coral-steps').inputValue(), '3');
   assert.equal((await said(other, 'figures')).split(';')[0], (await said(page, 'figures')).split(';')[0]);
-  await other.goto(`${address}#coral=nothing&preset=bm90aGluZw`);
+  await follow(other, `${address}#coral=nothing&preset=bm90aGluZw`);
   await settled(other);
   assert.equal(await said(other, 'faults'), '');
   assert.equal(await other.getByTestId('coral').inputValue(), 'cauliflower');
@@ -150,20 +150,20 @@ test('presets of all three are handed to the program', async () => {
     assert.equal(done.stderr, '', name);
     return bytes.toString();
   };
-  await page.goto(`${address}#coral=staghorn`);
+  await follow(page, `${address}#coral=staghorn`);
   await page.getByTestId('coral-steps').fill('3');
   assert.match(await hand('coral', 'my_staghorn'), /"steps": 3/);
   for (const species of await page.getByTestId('coral').locator('option').evaluateAll(all => all.slice(0, 6).map(one => one.value))) {
     await page.getByTestId('coral').selectOption(species);
     await hand('coral', `my_${species}`);
   }
-  await page.goto(`${address}#tree=cherry&years=9&seed=5&season=0.8`);
+  await follow(page, `${address}#tree=cherry&years=9&seed=5&season=0.8`);
   const tree = JSON.parse((await hand('tree', 'my_cherry')).replace(/^\s*\/\/.*$/gm, ''));
   assert.equal(tree.seed, 5);
   assert.equal(tree.organisms[0].years, 9);
   assert.equal(tree.organisms[0].season.at, 0.8);
   assert.deepEqual(tree.scene.camera.fit, ['all']);
-  await page.goto(address);
+  await follow(page, address);
   for (const grammar of ['bush', 'koch_island', 'plant_d', 'palm', 'hilbert_3d', 'crocus', 'tropism_b']) {
     await page.getByTestId('example').selectOption(grammar);
     await hand('grammar', `my_${grammar}`);
@@ -182,19 +182,19 @@ test('what is seen is saved as GLB', async () => {
     assert.ok(info.totalTriangleCount >= least, `${test}: ${info.totalTriangleCount} triangles`);
     return info.totalTriangleCount;
   };
-  await page.goto(`${address}#coral=brain`);
+  await follow(page, `${address}#coral=brain`);
   const {triangles} = await grown(fs.readFileSync('presets/species/corals/brain.json', 'utf8'), 'brain.json');
   assert.equal(await glb('coral-glb', 1000), triangles);
   await page.getByTestId('coral').selectOption('sea_fan');
   await glb('coral-glb', 10_000);
-  await page.goto(`${address}#tree=cherry&years=9`);
+  await follow(page, `${address}#tree=cherry&years=9`);
   await glb('tree-glb', 5000);
-  await page.goto(address);
+  await follow(page, address);
   await glb('save-glb', 5000);
 });
 
 test('everybody can use it', async () => {
-  await page.goto(`${address}#coral=organ_pipe_coral`);
+  await follow(page, `${address}#coral=organ_pipe_coral`);
   await settled(page);
   await page.addScriptTag({content: fs.readFileSync(load.resolve('axe-core/axe.min.js'), 'utf8')});
   for (const link of ['to-corals', 'to-trees', 'to-grammars']) {

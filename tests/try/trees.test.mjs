@@ -7,7 +7,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import {before, test} from 'node:test';
 import {pathToFileURL} from 'node:url';
-import {browse, load, visit} from '../studio/studio.mjs';
+import {browse, follow, load, visit} from '../studio/studio.mjs';
 
 const address = pathToFileURL(path.join(process.argv[4], 'index.html')).href;
 const figures = path.resolve(process.argv[5]);
@@ -90,7 +90,7 @@ test('a link carries the tree', async () => {
   for (const name of ['species', 'years', 'tree-seed', 'time', 'years-slider'])
     assert.equal(await other.getByTestId(name).inputValue(), await page.getByTestId(name).inputValue(), name);
   assert.equal((await said(other, 'figures')).split(';')[0], (await said(page, 'figures')).split(';')[0]);
-  await other.goto(`${address}#tree=nothing&years=-3&seed=x&season=7`);
+  await follow(other, `${address}#tree=nothing&years=-3&seed=x&season=7`);
   assert.equal(await said(other, 'faults'), '');
   assert.equal(await other.getByTestId('species').inputValue(), 'oak');
   assert.deepEqual(other.faults, []);
