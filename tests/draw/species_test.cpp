@@ -7,6 +7,7 @@
 #include "core/files.h"
 #include "draw/sizes.h"
 #include "preset/json.h"
+#include "scene/copies.h"
 #include "scene/scene.h"
 #include "scene/taxon.h"
 
@@ -98,6 +99,47 @@ TEST_P(Species, IsOfItsSize) {
   for (const Part& one : {Part{"leaf", taxon.leaf}, Part{"flower", taxon.flower}, Part{"fruit", taxon.fruit}})
     if (one.part && !one.part->organ.empty())
       expect_within(one.part->size, one.part->share * length_of(grown, one.part->organ), one.what);
+}
+
+/// What the organs of each prototype add up to, dew aside: square metres.
+std::vector<double> organ_areas(const Model& model) {
+  std::vector<double> all(model.prototypes.size());
+  const Organs& organs = model.organs;
+  for (std::size_t i = 0; i < organs.size(); ++i) {
+    std::size_t which = organs.prototype[i];
+    for (const OrganPart& part : model.prototypes[which].parts) {
+      if (part.tissue == Tissue::dew) continue;
+      Surface scaled = part.surface;
+      for (Vec3& p : scaled.position) p *= organs.scale[i];
+      all[which] += area(scaled);
+    }
+  }
+  return all;
+}
+
+TEST_P(Species, KeepsTheAreaOfItsOrgansAsCopies) {
+  Value one = make_object(), sown = make_object(), scene = make_object(), whole = make_object();
+  sown.set("models", make_number(1)).set("where", make_object().set("radius", make_number(1)));
+  one.set("species", make_text(GetParam().string())).set("sown", sown);
+  scene.set("setting", make_text("forest"));
+  whole.set("scene", scene).set("organisms", make_list({one}));
+  Result<Preset> preset = read_preset(serialize(whole), "test.json", {"/film/frames=1"});
+  ASSERT_TRUE(preset) << preset.errors()[0].text();
+  const Organism& organism = preset->organisms[0];
+  Result<Model> model = grow_copy(organism, 0);
+  ASSERT_TRUE(model);
+  const std::vector<double> areas = organ_areas(*model);
+  for (int level = 0; level < kLevelCount; ++level) {
+    std::vector<double> found(areas.size());
+    for (const CopyPart& part : copy_parts(organism.grower->appearance().look, *model, kLevels[level]))
+      if (part.kind == CopyPart::Kind::organ) found[part.which] += area(part.surface);
+    for (std::size_t p = 0; p < areas.size(); ++p) {
+      if (areas[p] <= 0) continue;
+      // What is round is drawn as a leaf of a quarter of its surface.
+      EXPECT_GT(found[p] / areas[p], 0.2) << model->prototypes[p].name << " at level " << level;
+      EXPECT_LT(found[p] / areas[p], 1.35) << model->prototypes[p].name << " at level " << level;
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Species, testing::ValuesIn(files()), [](const auto& file) {

@@ -59,7 +59,7 @@ std::uint32_t outermost(const Surface& s, const Piece& piece, Vec3 toward) {
                            });
 }
 
-/// `stands_for`: so many pieces, whose area it has.
+/// `stands_for`: so many times its area it has.
 void add_leaf(Surface& out, const Surface& s, const Piece& piece, FarLeaf as, float stands_for = 1) {
   if (piece.area <= 1e-12f) return;
   Vec3 middle = piece.middle / piece.area;
@@ -78,12 +78,17 @@ void add_leaf(Surface& out, const Surface& s, const Piece& piece, FarLeaf as, fl
   facing = glm::length(facing) > 1e-9f ? glm::normalize(facing)
                                        : glm::normalize(glm::cross(axis, Vec3(0.3f, 1, 0.2f)));
   // What is narrow grows wider first.
-  float wider = std::clamp(0.5f * length * length / covered, 1.0f, stands_for);
+  float wider = std::clamp(0.5f * length * length / covered, 1.0f, std::max(1.0f, stands_for));
   float larger = std::sqrt(stands_for / wider);
   Vec3 across = glm::cross(facing, axis) * (wider * covered / length);
   Vec3 waist = s.position[foot] +
                axis * std::clamp(glm::dot(middle - s.position[foot], axis), 0.2f * length, 0.8f * length);
-  waist += facing * glm::dot(middle - waist, facing);
+  float lift = glm::dot(middle - waist, facing);
+  waist += facing * lift;
+  // A leaf that bends is two triangles with its fold across; else with an edge from its foot to its tip.
+  const bool bent = as == FarLeaf::diamond && 2 * std::abs(lift) > glm::length(across);
+  if (bent)
+    across *= length / (glm::distance(s.position[foot], waist) + glm::distance(waist, s.position[tip]));
   if (as == FarLeaf::triangle) waist = s.position[tip];
   auto first = static_cast<std::uint32_t>(out.position.size());
   auto corner = [&](Vec3 at, std::uint32_t like) {
@@ -95,6 +100,11 @@ void add_leaf(Surface& out, const Surface& s, const Piece& piece, FarLeaf as, fl
   corner(waist - across, outermost(s, piece, -across));
   if (as == FarLeaf::diamond) corner(s.position[tip], tip);
   corner(waist + across, outermost(s, piece, across));
+  if (bent) {
+    out.triangle.push_back({first, first + 1, first + 3});
+    out.triangle.push_back({first + 1, first + 2, first + 3});
+    return;
+  }
   out.triangle.push_back({first, first + 1, first + 2});
   if (as == FarLeaf::diamond) out.triangle.push_back({first, first + 2, first + 3});
 }
@@ -165,9 +175,20 @@ Pieces pieces_of(const Surface& surface) {
 Surface far_leaves(const Surface& surface, const Pieces& pieces, int stride, FarLeaf as) {
   Surface out;
   std::vector<Piece> list = measured(surface, pieces, false);
-  auto step = static_cast<std::size_t>(stride);
-  for (std::size_t i = step / 2; i < list.size(); i += step)
-    add_leaf(out, surface, list[i], as, static_cast<float>(stride));
+  if (stride == 1) {
+    for (const Piece& piece : list) add_leaf(out, surface, piece, as);
+    return out;
+  }
+  // Each that is left has an equal part of the area: of large pieces and small ones the large ones remain.
+  double all = 0, before = 0;
+  for (const Piece& piece : list) all += static_cast<double>(piece.area);
+  const double part = all / std::max(1.0, std::round(static_cast<double>(list.size()) / stride));
+  for (const Piece& piece : list) {
+    double after = before + static_cast<double>(piece.area);
+    double parts = std::floor(after / part + 0.5) - std::floor(before / part + 0.5);
+    if (parts > 0) add_leaf(out, surface, piece, as, static_cast<float>(parts * part / (after - before)));
+    before = after;
+  }
   return out;
 }
 

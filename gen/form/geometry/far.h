@@ -26,8 +26,8 @@ Pieces pieces_of(const Surface& surface);
 enum class FarLeaf { diamond, triangle };
 
 /// Each connected piece as a far leaf of the same length, area and orientation. A round body becomes a leaf
-/// of the same projected area. `uv` are taken at the corners. With `stride` n, one of n pieces represents all
-/// of them, scaled about its foot to their area.
+/// of the same projected area. `uv` are taken at the corners. With `stride` n, one of some n pieces
+/// represents them, scaled about its foot to their area.
 Surface far_leaves(const Surface& surface, const Pieces& pieces, int stride = 1,
                    FarLeaf as = FarLeaf::diamond);
 
