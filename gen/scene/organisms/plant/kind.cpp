@@ -49,9 +49,11 @@ void describe(Properties& v, OrganParams& o) {
   v.number("size", o.size, {.min = 0.00001, .max = 1000, .unit = "m"},
            "Length; a parameter in the grammar multiplies it");
   v.list("colors", o.colors, Count{1, 64},
-         "Colours of the organ; the turtle's colour index picks one, round and round");
+         "Colours of the organ; the turtle's colour index picks one, round and round. Needs shape other than "
+         "picture");
   v.color("second", o.second,
-          "Colour of a flower's heart, a leaf's veins, a bud's calyx, a frond's stem or an obj at its axis");
+          "Colour of a flower's heart, a leaf's veins, a bud's calyx, a frond's stem or an obj at its axis. "
+          "Needs shape other than picture");
   v.number("width", o.width, {.min = 0.02, .max = 3}, "Width as a share of the length");
   v.number("widest", o.widest, {.min = 0.05, .max = 0.95},
            "Where along it a leaf or petal is widest, 0 foot to 1 tip; without it as is usual for its shape");
