@@ -36,7 +36,7 @@ TEST(Bezier, IsTheBernsteinSumAtEachDegree) {
   for (int degree = 0; degree <= 20; ++degree) {
     std::vector<glm::dvec2> control = random_points(degree, Seed{5});
     for (double t : {0.0, 0.1, 0.37, 0.5, 0.93, 1.0})
-      EXPECT_LT(glm::distance(bezier_jet<glm::dvec2>(control, t).at, bernstein(control, t)), 1e-12) << degree;
+      EXPECT_LT(glm::distance(bezier_jet(control, t).at, bernstein(control, t)), 1e-12) << degree;
   }
 }
 
@@ -45,8 +45,8 @@ TEST(Bezier, DerivativesAreThoseOfTheCurve) {
     std::vector<glm::dvec2> control = random_points(degree, Seed{6});
     for (double t : {0.2, 0.5, 0.8}) {
       double h = 1e-4;
-      auto before = bezier_jet<glm::dvec2>(control, t - h), on = bezier_jet<glm::dvec2>(control, t),
-           after = bezier_jet<glm::dvec2>(control, t + h);
+      auto before = bezier_jet(control, t - h), on = bezier_jet(control, t),
+           after = bezier_jet(control, t + h);
       EXPECT_LT(glm::distance(on.slope, (after.at - before.at) / (2 * h)), 1e-3) << degree;
       EXPECT_LT(glm::distance(on.bend, (after.slope - before.slope) / (2 * h)), 0.05) << degree;
     }
@@ -55,12 +55,10 @@ TEST(Bezier, DerivativesAreThoseOfTheCurve) {
 
 TEST(Bezier, RaisingTheDegreeKeepsTheCurve) {
   for (int degree = 0; degree <= 6; ++degree) {
-    std::vector<glm::dvec2> control = random_points(degree, Seed{7}),
-                            raised = bezier_raised<glm::dvec2>(control);
+    std::vector<glm::dvec2> control = random_points(degree, Seed{7}), raised = bezier_raised(control);
     ASSERT_EQ(raised.size(), control.size() + 1);
     for (double t : {0.0, 0.3, 0.7, 1.0})
-      EXPECT_LT(glm::distance(bezier_jet<glm::dvec2>(control, t).at, bezier_jet<glm::dvec2>(raised, t).at),
-                1e-12);
+      EXPECT_LT(glm::distance(bezier_jet(control, t).at, bezier_jet(raised, t).at), 1e-12);
   }
 }
 

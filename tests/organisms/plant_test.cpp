@@ -7,6 +7,7 @@
 #include <set>
 
 #include "geometry/outline.h"
+#include "geometry/polygon.h"
 
 namespace frond {
 namespace {
@@ -309,7 +310,7 @@ TEST(Outline, ConcaveOnesAreCutWithoutOverlap) {
       std::vector<std::array<std::uint32_t, 3>> triangles;
       triangulate(points, 0, triangles);
       EXPECT_EQ(triangles.size(), points.size() - 2);
-      EXPECT_NEAR(area(points, triangles), glm::length(outline_area(points)), 1e-4);
+      EXPECT_NEAR(area(points, triangles), glm::length(polygon_area(points)), 1e-4);
       std::reverse(shape.begin(), shape.end());
     }
   }

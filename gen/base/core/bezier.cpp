@@ -6,18 +6,17 @@
 
 namespace frond {
 
-template <class V>
-BezierJet<V> bezier_jet(std::span<const V> control, double t) {
+BezierJet bezier_jet(std::span<const glm::dvec2> control, double t) {
   assert(!control.empty());
   // Curves of the usual degrees need no memory of their own.
-  std::array<V, 24> few;
-  std::vector<V> many;
+  std::array<glm::dvec2, 24> few;
+  std::vector<glm::dvec2> many;
   if (control.size() > few.size()) many.resize(control.size());
-  std::span<V> level = many.empty() ? std::span<V>(few).first(control.size()) : std::span<V>(many);
+  std::span level = many.empty() ? std::span<glm::dvec2>(few).first(control.size()) : std::span(many);
   std::copy(control.begin(), control.end(), level.begin());
   std::size_t degree = control.size() - 1;
   auto n = static_cast<double>(degree);
-  BezierJet<V> jet;
+  BezierJet jet;
   for (std::size_t left = degree; left > 0; --left) {
     // The last three and the last two points before the end give the derivatives.
     if (left == 2) jet.bend = (level[2] - level[1] * 2.0 + level[0]) * (n * (n - 1));
@@ -28,10 +27,9 @@ BezierJet<V> bezier_jet(std::span<const V> control, double t) {
   return jet;
 }
 
-template <class V>
-std::vector<V> bezier_raised(std::span<const V> control) {
+std::vector<glm::dvec2> bezier_raised(std::span<const glm::dvec2> control) {
   assert(!control.empty());
-  std::vector<V> raised{control.front()};
+  std::vector<glm::dvec2> raised{control.front()};
   auto count = static_cast<double>(control.size());
   for (std::size_t i = 1; i < control.size(); ++i) {
     double share = static_cast<double>(i) / count;
@@ -40,10 +38,5 @@ std::vector<V> bezier_raised(std::span<const V> control) {
   raised.push_back(control.back());
   return raised;
 }
-
-template BezierJet<glm::dvec2> bezier_jet(std::span<const glm::dvec2>, double);
-template BezierJet<glm::dvec3> bezier_jet(std::span<const glm::dvec3>, double);
-template std::vector<glm::dvec2> bezier_raised(std::span<const glm::dvec2>);
-template std::vector<glm::dvec3> bezier_raised(std::span<const glm::dvec3>);
 
 }  // namespace frond

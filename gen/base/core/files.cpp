@@ -57,19 +57,24 @@ std::vector<fs::path> found_by(const fs::path& folder) {
 
 }  // namespace
 
-std::error_code write_new(const fs::path& path, std::string_view text) {
-  auto error_now = [] { return std::error_code(errno, std::generic_category()); };
-  ::unlink(path.c_str());
-  int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (file < 0) return error_now();
-  std::error_code error;
-  while (!text.empty() && !error) {
+std::error_code error_now() { return std::error_code(errno, std::generic_category()); }
+
+std::error_code write_fully(int file, std::string_view text) {
+  while (!text.empty()) {
     ssize_t written = ::write(file, text.data(), text.size());
     if (written >= 0)
       text.remove_prefix(static_cast<std::size_t>(written));
     else if (errno != EINTR)
-      error = error_now();
+      return error_now();
   }
+  return {};
+}
+
+std::error_code write_new(const fs::path& path, std::string_view text) {
+  ::unlink(path.c_str());
+  int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file < 0) return error_now();
+  std::error_code error = write_fully(file, text);
   if (!error && ::fsync(file) != 0 && errno != EINVAL) error = error_now();  // EINVAL: a pipe, a device
   if (::close(file) != 0 && !error) error = error_now();
   return error;

@@ -22,6 +22,12 @@ Result<bool> write_file(const std::filesystem::path& path, std::string_view text
 /// first, and a link there is not followed.
 std::error_code write_new(const std::filesystem::path& path, std::string_view text);
 
+/// Writes all of a text to an open file.
+std::error_code write_fully(int file, std::string_view text);
+
+/// The error that the system told last.
+std::error_code error_now();
+
 /// The name of a temporary file beside another, unique among processes and threads, to be renamed to it when
 /// complete: the name followed by ".tmp" and digits.
 std::filesystem::path temporary_beside(const std::filesystem::path& path);

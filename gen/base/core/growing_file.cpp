@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <utility>
@@ -35,8 +34,6 @@ bool same(const fs::path& one, const fs::path& other) {
   return a.eof() && b.eof();
 }
 
-std::error_code error_now() { return std::error_code(errno, std::generic_category()); }
-
 }  // namespace
 
 GrowingFile::GrowingFile(fs::path path) : path_(std::move(path)), temporary_(temporary_beside(path_)) {}
@@ -48,13 +45,7 @@ GrowingFile::~GrowingFile() {
 }
 
 void GrowingFile::write_held() {
-  for (std::string_view left = held_; !left.empty() && !error_;) {
-    ssize_t written = ::write(file_, left.data(), left.size());
-    if (written >= 0)
-      left.remove_prefix(static_cast<std::size_t>(written));
-    else if (errno != EINTR)
-      error_ = error_now();
-  }
+  if (!error_) error_ = write_fully(file_, held_);
   held_.clear();
 }
 

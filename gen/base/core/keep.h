@@ -6,6 +6,12 @@
 
 namespace frond {
 
+/// Makes room for so many elements in lists.
+template <class... T>
+void reserve_all(std::size_t count, std::vector<T>&... lists) {
+  (lists.reserve(count), ...);
+}
+
 /// Keeps the elements of lists for which `stay` is true, in their order. A list may be empty; each other one
 /// is as long as `stay`.
 template <class... T>

@@ -17,4 +17,9 @@ double fractal_noise(Vec3 p, int octaves) {
   return sum;
 }
 
+Vec3 random_shift(Seed seed, double most) {
+  auto along = [&](const char* axis) { return static_cast<float>(seed.child(axis).range(-most, most)); };
+  return {along("x"), along("y"), along("z")};
+}
+
 }  // namespace frond

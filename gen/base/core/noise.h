@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/seed.h"
 #include "core/vec.h"
 
 namespace frond {
@@ -12,5 +13,9 @@ Vec3 noise3(Vec3 p);
 
 /// `octaves` noises on top of each other, each of twice the frequency and half the strength; within -2..2.
 double fractal_noise(Vec3 p, int octaves);
+
+/// Where noise is taken from, so that no two things have the same: up to `most` along each axis, to either
+/// side.
+Vec3 random_shift(Seed seed, double most = 99);
 
 }  // namespace frond

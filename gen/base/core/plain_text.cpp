@@ -1,19 +1,11 @@
 #include "core/plain_text.h"
 
-#include <algorithm>
+#include "core/text.h"
+#include "core/utf8.h"
 
 namespace frond {
 
 namespace {
-
-void append_utf8(std::string& text, char32_t code) {
-  auto put = [&](char32_t byte) { text += static_cast<char>(static_cast<unsigned char>(byte)); };
-  auto tail = [&](int shift) { put(0x80 | ((code >> shift) & 0x3f)); };
-  if (code < 0x80) return put(code);
-  if (code < 0x800) return put(0xc0 | (code >> 6)), tail(0);
-  if (code < 0x10000) return put(0xe0 | (code >> 12)), tail(6), tail(0);
-  put(0xf0 | (code >> 18)), tail(12), tail(6), tail(0);
-}
 
 /// Pairs of bytes behind their mark. Halves of pairs that stand alone become U+FFFD.
 std::string from_utf16(std::string_view bytes, bool big) {
@@ -54,11 +46,6 @@ std::string plain_text(std::string_view bytes) {
   return text;
 }
 
-bool has_ending(std::string_view name, std::string_view ending) {
-  if (name.size() < ending.size()) return false;
-  return std::ranges::equal(name.substr(name.size() - ending.size()), ending, [](char c, char lower) {
-    return (c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c) == lower;
-  });
-}
+bool has_ending(std::string_view name, std::string_view ending) { return lower_case(name).ends_with(ending); }
 
 }  // namespace frond

@@ -5,7 +5,6 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
-#include <vector>
 
 #include "core/read_as.h"
 
@@ -47,8 +46,19 @@ void append_integer(std::string& text, long long value) {
   text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
 }
 
+namespace {
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+}  // namespace
+
+std::string lower_case(std::string_view text) {
+  std::string low(text);
+  std::ranges::transform(low, low.begin(), lower);
+  return low;
+}
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
   std::vector<std::size_t> before, last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -69,10 +79,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 int counting_number(std::string_view text) { return std::max(read_as<int>(text).value_or(0), 0); }
 
 int consume_whole(std::string_view& text) {
-  int number = 0;
-  auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || number < 0) return 0;
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  std::string_view rest = text;
+  int number = consume_as<int>(rest).value_or(-1);
+  if (number < 0) return 0;
+  text = rest;
   return number;
 }
 

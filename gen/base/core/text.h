@@ -53,13 +53,13 @@ void fill(std::string_view layout, const Out& out, const Hole& hole) {
   }
 }
 
-/// The candidate nearest to a misspelt `name` (Damerau-Levenshtein), or empty where none is near enough.
-template <class Names>
-std::string_view nearest_name(std::string_view name, const Names& candidates);
+/// A text with the letters of ASCII in small ones.
+std::string lower_case(std::string_view text);
 
 /// Number of edits (insert, delete, replace, swap neighbours) between two names; case is ignored.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
+/// The candidate nearest to a misspelt `name` (Damerau-Levenshtein), or empty where none is near enough.
 template <class Names>
 std::string_view nearest_name(std::string_view name, const Names& candidates) {
   std::string_view best;

@@ -32,6 +32,15 @@ char32_t code_of(std::string_view character) {
   return code;
 }
 
+void append_utf8(std::string& text, char32_t code) {
+  auto put = [&](char32_t byte) { text += static_cast<char>(static_cast<unsigned char>(byte)); };
+  auto tail = [&](int shift) { put(0x80 | ((code >> shift) & 0x3f)); };
+  if (code < 0x80) return put(code);
+  if (code < 0x800) return put(0xc0 | (code >> 6)), tail(0);
+  if (code < 0x10000) return put(0xe0 | (code >> 12)), tail(6), tail(0);
+  put(0xf0 | (code >> 18)), tail(12), tail(6), tail(0);
+}
+
 std::optional<std::size_t> invalid_utf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     std::size_t size = character_size(text.substr(i, 4));

@@ -27,6 +27,7 @@ inline Color mixed(const Color& from, const Color& to, float share) {
 }
 
 inline constexpr double kPi = std::numbers::pi;
+inline constexpr double kGravity = 9.81;  ///< m/s2
 
 /// The golden angle in radians, for even spirals: 2 pi (2 - golden ratio).
 inline constexpr double kGoldenAngle = 2.39996322972865332;

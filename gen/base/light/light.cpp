@@ -1,6 +1,5 @@
 #include "light/light.h"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -209,19 +208,14 @@ std::vector<Probe> SoftLight::probes_of(std::size_t k, const Ambience& ambience,
       }
     }
   });
-  std::vector<Probe> list;
-  for (const auto& part : slabs) list.insert(list.end(), part.begin(), part.end());
-  return list;
+  return joined(slabs);
 }
 
 std::vector<Probe> SoftLight::probes(const Ambience& ambience, std::span<const Eye> seen_by) {
   light(ambience);
-  std::vector<Probe> list;
-  for (std::size_t k = 0; k < levels_.size(); ++k) {
-    std::vector<Probe> more = probes_of(k, ambience, seen_by);
-    list.insert(list.end(), more.begin(), more.end());
-  }
-  return list;
+  std::vector<std::vector<Probe>> lists;
+  for (std::size_t k = 0; k < levels_.size(); ++k) lists.push_back(probes_of(k, ambience, seen_by));
+  return joined(lists);
 }
 
 }  // namespace frond

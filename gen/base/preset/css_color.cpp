@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
-#include <cmath>
 #include <utility>
 
+#include "core/read_as.h"
 #include "core/text.h"
 
 namespace frond {
@@ -196,9 +195,9 @@ std::optional<std::array<Argument, 3>> arguments_of(std::string_view text) {
       text.remove_prefix(1);
       skip();
     }
-    auto [stop, wrong] = std::from_chars(text.data(), text.data() + text.size(), arguments[i].first);
-    if (wrong != std::errc()) return std::nullopt;
-    text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
+    std::optional<double> number = consume_as<double>(text);
+    if (!number) return std::nullopt;
+    arguments[i].first = *number;
     std::size_t end = std::min(text.find_first_of(", \t"), text.size());
     arguments[i].second = text.substr(0, end);
     text.remove_prefix(end);
@@ -241,9 +240,7 @@ std::optional<Color> of_hsl(const std::array<Argument, 3>& arguments) {
 
 std::optional<Color> css_color(std::string_view text) {
   if (text.starts_with('#')) return of_digits(text.substr(1));
-  std::string low(text);
-  std::transform(low.begin(), low.end(), low.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::string low = lower_case(text);
   if (low.ends_with(')') && (low.starts_with("rgb(") || low.starts_with("hsl("))) {
     auto arguments = arguments_of(std::string_view(low).substr(4, low.size() - 5));
     if (!arguments) return std::nullopt;
@@ -255,8 +252,7 @@ std::optional<Color> css_color(std::string_view text) {
 
 std::string_view nearest_css_name(std::string_view text) {
   std::array<std::string_view, std::size(kCssNames)> names;
-  std::transform(std::begin(kCssNames), std::end(kCssNames), names.begin(),
-                 [](const auto& row) { return row.first; });
+  std::ranges::transform(kCssNames, names.begin(), [](const auto& row) { return row.first; });
   return nearest_name(text.substr(0, 64), names);
 }
 

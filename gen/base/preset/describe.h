@@ -7,7 +7,6 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 #include "core/function_ref.h"
 #include "core/result.h"
@@ -226,11 +225,15 @@ class Properties {
   virtual ~Properties() = default;
   virtual Purpose purpose() const = 0;
 
-  virtual void number(std::string_view name, RealSlot x, const Range& range, std::string_view doc) = 0;
+  void number(std::string_view name, RealSlot x, const Range& range, std::string_view doc) {
+    visit_value(name, x, range, doc);
+  }
   virtual void angle(std::string_view name, RealSlot x, const Range& range, std::string_view doc) = 0;
-  virtual void integer(std::string_view name, IntegerSlot n, const Range& range, std::string_view doc) = 0;
-  virtual void boolean(std::string_view name, BooleanSlot b, std::string_view doc) = 0;
-  virtual void text(std::string_view name, TextSlot s, std::string_view doc) = 0;
+  void integer(std::string_view name, IntegerSlot n, const Range& range, std::string_view doc) {
+    visit_value(name, n, range, doc);
+  }
+  void boolean(std::string_view name, BooleanSlot b, std::string_view doc) { visit_value(name, b, {}, doc); }
+  void text(std::string_view name, TextSlot s, std::string_view doc) { visit_value(name, s, {}, doc); }
   virtual void file(std::string_view name, FileName& file, LoadFile load, std::string_view doc,
                     bool needed = true) = 0;
   template <class T, class Table>
@@ -238,23 +241,29 @@ class Properties {
     static_assert(std::is_same_v<Held<T>, decltype(std::data(table)->value)>);
     choose(name, slot_of(e), table, doc);
   }
-  virtual void vector(std::string_view name, VectorSlot v, const Range& range, std::string_view doc) = 0;
-  void vector(std::string_view name, VectorSlot v, std::string_view doc) { vector(name, v, Range{}, doc); }
+  void vector(std::string_view name, VectorSlot v, const Range& range, std::string_view doc) {
+    visit_value(name, v, range, doc);
+  }
+  void vector(std::string_view name, VectorSlot v, std::string_view doc) { visit_value(name, v, {}, doc); }
   virtual void direction(std::string_view name, VectorSlot v, Across across, std::string_view doc) = 0;
   void direction(std::string_view name, VectorSlot v, std::string_view doc) {
     direction(name, v, Across::all, doc);
   }
-  virtual void size(std::string_view name, SizeSlot s, const Range& range, std::string_view doc) = 0;
-  virtual void color(std::string_view name, ColorSlot c, std::string_view doc) = 0;
-  virtual void curve(std::string_view name, CurveSlot c, std::string_view doc) = 0;
-  virtual void animated(std::string_view name, AnimatedSlot a, const Range& range, std::string_view doc) = 0;
+  void size(std::string_view name, SizeSlot s, const Range& range, std::string_view doc) {
+    visit_value(name, s, range, doc);
+  }
+  void color(std::string_view name, ColorSlot c, std::string_view doc) { visit_value(name, c, {}, doc); }
+  void curve(std::string_view name, CurveSlot c, std::string_view doc) { visit_value(name, c, {}, doc); }
+  void animated(std::string_view name, AnimatedSlot a, const Range& range, std::string_view doc) {
+    visit_value(name, a, range, doc);
+  }
   void animated(std::string_view name, AnimatedSlot a, std::string_view doc) {
-    animated(name, a, Range{}, doc);
+    visit_value(name, a, {}, doc);
   }
   virtual void object(std::string_view name, ObjectSlot o, std::string_view doc) = 0;
   virtual void list(std::string_view name, ListSlot l, const Count& count, std::string_view doc) = 0;
   void list(std::string_view name, ListSlot l, std::string_view doc) { list(name, l, Count{}, doc); }
-  virtual void pairs(std::string_view name, PairsSlot p, std::string_view doc) = 0;
+  void pairs(std::string_view name, PairsSlot p, std::string_view doc) { visit_value(name, p, {}, doc); }
   virtual void tagged(std::string_view name, ObjectSlot o, const KindTable& kinds, std::string_view doc) = 0;
   virtual void tagged_list(std::string_view name, ListSlot l, const KindTable& kinds,
                            std::string_view doc) = 0;
@@ -282,6 +291,8 @@ class Properties {
   }
 
  protected:
+  /// What is read and printed by the type of its slot alone; `range` holds for all numbers in it.
+  virtual void visit_value(std::string_view name, Slot x, const Range& range, std::string_view doc) = 0;
   virtual void choose(std::string_view name, Slot e, const ChoiceTable& table, std::string_view doc) = 0;
   virtual void read_custom(std::string_view name, Slot x, ReadCustom read, std::string_view schema,
                            std::string_view doc) = 0;

@@ -3,7 +3,6 @@
 #include <array>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "preset/describe.h"
@@ -34,33 +33,15 @@ class KeyWriter : public Properties {
   // The properties, see describe.h.
 
   Purpose purpose() const override { return Purpose::keys; }
-  void number(std::string_view name, RealSlot x, const Range&, std::string_view) override {
-    add_slot(name, x);
-  }
   void angle(std::string_view name, RealSlot x, const Range&, std::string_view) override {
     add_slot(name, x);
   }
-  void integer(std::string_view name, IntegerSlot n, const Range&, std::string_view) override {
-    add_slot(name, n);
-  }
-  void boolean(std::string_view name, BooleanSlot b, std::string_view) override { add_slot(name, b); }
-  void text(std::string_view name, TextSlot s, std::string_view) override { add_slot(name, s); }
   void file(std::string_view name, FileName& file, LoadFile, std::string_view, bool) override;
-  void vector(std::string_view name, VectorSlot v, const Range&, std::string_view) override {
-    add_slot(name, v);
-  }
   void direction(std::string_view name, VectorSlot v, Across, std::string_view) override {
     add_slot(name, v);
   }
-  void size(std::string_view name, SizeSlot s, const Range&, std::string_view) override { add_slot(name, s); }
-  void color(std::string_view name, ColorSlot c, std::string_view) override { add_slot(name, c); }
-  void curve(std::string_view name, CurveSlot c, std::string_view) override { add_slot(name, c); }
-  void animated(std::string_view name, AnimatedSlot a, const Range&, std::string_view) override {
-    add_slot(name, a);
-  }
   void object(std::string_view name, ObjectSlot o, std::string_view) override { add_slot(name, o); }
   void list(std::string_view name, ListSlot l, const Count&, std::string_view) override { add_slot(name, l); }
-  void pairs(std::string_view name, PairsSlot p, std::string_view) override { add_slot(name, p); }
   void tagged(std::string_view name, ObjectSlot o, const KindTable&, std::string_view) override {
     add_slot(name, o);
   }
@@ -73,6 +54,9 @@ class KeyWriter : public Properties {
   void aspect(Aspect of_all_after) override { own_ = of_all_after; }
 
  protected:
+  void visit_value(std::string_view name, Slot x, const Range&, std::string_view) override {
+    add_slot(name, x);
+  }
   void choose(std::string_view name, Slot e, const ChoiceTable& table, std::string_view doc) override;
   void read_custom(std::string_view name, Slot x, ReadCustom, std::string_view, std::string_view) override {
     add_slot(name, x);

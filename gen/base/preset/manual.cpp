@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <functional>
+#include <iterator>
 
 #include "core/text.h"
 #include "preset/json.h"
@@ -17,8 +17,6 @@ std::string text_of(const Value& schema, std::string_view name) {
   const Value* value = schema.find(name);
   return value ? value->text : std::string();
 }
-
-std::string digits(const Value& number) { return serialize(number); }
 
 bool is_type(const Value& schema, std::string_view type) { return text_of(schema, "type") == type; }
 
@@ -50,10 +48,10 @@ std::string range_of(const Value& schema) {
   const Value* least = schema.find("minimum");
   const Value* above = schema.find("exclusiveMinimum");
   const Value* most = schema.find("maximum");
-  if (above) return "above " + digits(*above) + (most ? " up to " + digits(*most) : "");
-  if (least && most) return digits(*least) + " to " + digits(*most);
-  if (least) return digits(*least) + " or more";
-  if (most) return "at most " + digits(*most);
+  if (above) return "above " + serialize(*above) + (most ? " up to " + serialize(*most) : "");
+  if (least && most) return serialize(*least) + " to " + serialize(*most);
+  if (least) return serialize(*least) + " or more";
+  if (most) return "at most " + serialize(*most);
   const Value* items = schema.find("items");
   return items && items->is(Value::Type::object) && is_type(schema, "array") && !items->find("properties")
              ? range_of(*items)
@@ -149,26 +147,19 @@ void append_topics(std::vector<Topic>& topics, const std::string& above, const V
   }
 }
 
-std::string lower(std::string_view text) {
-  std::string low(text);
-  std::ranges::transform(low, low.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return low;
-}
-
 /// How well a topic answers a word, 0 not at all; `whole` becomes false where only a longer word does.
 int rank_of(const Topic& topic, std::string_view word, bool& whole) {
   std::vector<std::string> steps = split(topic.path, '/');
   for (std::size_t i = 0; i < steps.size(); ++i)
-    if (singular(lower(steps[i])) == singular(word)) return i + 1 == steps.size() ? 100 : 60;
-  std::string choices, path = lower(topic.path);
+    if (singular(lower_case(steps[i])) == singular(word)) return i + 1 == steps.size() ? 100 : 60;
+  std::string choices, path = lower_case(topic.path);
   std::ranges::replace(path, '_', ' ');
   for (const auto& [name, doc] : topic.choices) {
-    if (lower(name) == word) return 50;
-    choices += " " + lower(name + " " + doc);
+    if (lower_case(name) == word) return 50;
+    choices += " " + lower_case(name + " " + doc);
   }
   constexpr int kOfPath[] = {0, 4, 30, 40}, kOfSentence[] = {0, 2, 15, 20}, kOfChoices[] = {0, 1, 8, 10};
-  int in_path = says(path, word), in_sentence = says(lower(topic.sentence), word),
+  int in_path = says(path, word), in_sentence = says(lower_case(topic.sentence), word),
       in_choices = says(choices, word);
   whole = whole && std::max({in_path, in_sentence, in_choices}) > 1;
   return std::max({kOfPath[in_path], kOfSentence[in_sentence], kOfChoices[in_choices]});
@@ -249,7 +240,7 @@ std::vector<Topic> topics_of(const Value& schema) {
 }
 
 std::vector<Topic> topics_about(const std::vector<Topic>& topics, std::string_view asked) {
-  std::string low = lower(asked);
+  std::string low = lower_case(asked);
   while (low.ends_with('/')) low.pop_back();
   std::vector<Topic> found;
   auto add_found = [&](const auto& wanted) {
@@ -281,16 +272,12 @@ std::vector<Topic> topics_about(const std::vector<Topic>& topics, std::string_vi
 }
 
 std::string nearest_topic(const std::vector<Topic>& topics, std::string_view asked) {
-  std::string low = lower(asked), meant;
+  std::string low = lower_case(asked), meant;
   while (low.ends_with('/')) low.pop_back();
   std::vector<std::string> paths, names;
   for (const Topic& topic : topics) {
     paths.push_back(topic.path);
-    for (std::size_t from = 0; from < topic.path.size();) {
-      std::size_t to = std::min(topic.path.find('/', from), topic.path.size());
-      names.push_back(topic.path.substr(from, to - from));
-      from = to + 1;
-    }
+    std::ranges::move(split(topic.path, '/'), std::back_inserter(names));
   }
   if (std::size_t slash = low.find('/'); slash != low.npos) {
     // What all kinds have may be asked of one of them.
@@ -300,9 +287,7 @@ std::string nearest_topic(const std::vector<Topic>& topics, std::string_view ask
       if (known && topic.path.starts_with("organism/")) paths.push_back(kind + topic.path.substr(8));
     return std::string(nearest_name(low, paths));
   }
-  for (std::size_t from = 0; from < low.size();) {
-    std::size_t to = std::min(low.find(' ', from), low.size());
-    std::string word = low.substr(from, to - from);
+  for (std::string word : split(low, ' ')) {
     if (topics_about(topics, word).empty()) {
       // A slip of the keys, and not a word of another sense that has about the same letters.
       std::string near(nearest_name(word, names));
@@ -311,7 +296,6 @@ std::string nearest_topic(const std::vector<Topic>& topics, std::string_view ask
     }
     if (word.empty()) return {};
     meant += (meant.empty() ? "" : " ") + word;
-    from = to + 1;
   }
   return topics_about(topics, meant).empty() ? "" : meant;
 }

@@ -81,11 +81,12 @@ void Reader::leave() {
   }
 }
 
-void Reader::fault(const Value& value, std::string_view expected) {
+std::nullopt_t Reader::fault(const Value& value, std::string_view expected) {
   bool bare = !frames_.empty() && &value == frames_.back().value && !frames_.back().bare.empty();
   std::string what =
       fmt::format("found {}; expected {}{}", found_text(value), expected, bare ? " or an object" : "");
   faults_.add({value.origin, pointer_, std::move(what)});
+  return std::nullopt;
 }
 
 bool Reader::check_list(const Value& value, const Count& count) {

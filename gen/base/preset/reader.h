@@ -35,27 +35,15 @@ class Reader : public Properties {
 
   // The properties, see describe.h.
 
-  using Properties::animated;
   using Properties::direction;
   using Properties::list;
-  using Properties::vector;
   Purpose purpose() const override { return Purpose::reading; }
-  void number(std::string_view name, RealSlot out, const Range& range, std::string_view doc) override;
   void angle(std::string_view name, RealSlot out, const Range& range, std::string_view doc) override;
-  void integer(std::string_view name, IntegerSlot out, const Range& range, std::string_view doc) override;
-  void boolean(std::string_view name, BooleanSlot out, std::string_view doc) override;
-  void text(std::string_view name, TextSlot out, std::string_view doc) override;
   void file(std::string_view name, FileName& out, LoadFile load, std::string_view doc,
             bool needed = true) override;
-  void vector(std::string_view name, VectorSlot out, const Range& range, std::string_view doc) override;
   void direction(std::string_view name, VectorSlot out, Across across, std::string_view doc) override;
-  void size(std::string_view name, SizeSlot out, const Range& range, std::string_view doc) override;
-  void color(std::string_view name, ColorSlot out, std::string_view doc) override;
-  void curve(std::string_view name, CurveSlot out, std::string_view doc) override;
-  void animated(std::string_view name, AnimatedSlot out, const Range& range, std::string_view doc) override;
   void object(std::string_view name, ObjectSlot out, std::string_view doc) override;
   void list(std::string_view name, ListSlot out, const Count& count, std::string_view doc) override;
-  void pairs(std::string_view name, PairsSlot out, std::string_view doc) override;
   void tagged(std::string_view name, ObjectSlot out, const KindTable& kinds, std::string_view doc) override;
   void tagged_list(std::string_view name, ListSlot out, const KindTable& kinds,
                    std::string_view doc) override;
@@ -70,8 +58,8 @@ class Reader : public Properties {
 
   // For custom properties: building blocks of the above. Each notes its errors.
 
-  /// Notes `found <value>; expected <expected>` at the value being read.
-  void fault(const Value& value, std::string_view expected);
+  /// Notes `found <value>; expected <expected>` at the value being read; nothing was read then.
+  std::nullopt_t fault(const Value& value, std::string_view expected);
   /// Runs `work` one level deeper: at the element or member of that name.
   template <class Work>
   auto inside(std::string_view step, Work work) {
@@ -107,6 +95,7 @@ class Reader : public Properties {
   bool object_at(const Value& value, ObjectSlot out);
 
  protected:
+  void visit_value(std::string_view name, Slot out, const Range& range, std::string_view doc) override;
   void choose(std::string_view name, Slot out, const ChoiceTable& table, std::string_view doc) override;
   void read_custom(std::string_view name, Slot out, ReadCustom read, std::string_view schema,
                    std::string_view doc) override;
@@ -131,7 +120,7 @@ class Reader : public Properties {
   bool real_at(const Value& value, const Range& range, Slot out);
   bool integer_at(const Value& value, const Range& range, Slot out);
   bool vector_at(const Value& value, const Range& range, Slot out);
-  bool element_at(const Value& value, Slot out);
+  bool value_at(const Value& value, const Range& range, Slot out);
   bool struct_at(const Value& value, Slot out);
   bool tagged_at(const Value& value, Slot out, const KindTable& kinds);
   void list_at(const Value& value, Slot out, const Count& count, FunctionRef<void(const Value&, Slot)> read);

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "core/assets.h"
 #include "core/content.h"
 #include "preset/merge.h"
@@ -94,25 +92,36 @@ bool Reader::struct_at(const Value& value, Slot out) {
   return with_object(value, [&] { out.type->describe(*this, out.at); });
 }
 
-bool Reader::element_at(const Value& value, Slot out) {
-  switch (out.type->kind) {
+bool Reader::value_at(const Value& value, const Range& range, Slot out) {
+  switch (out.held_type().kind) {
+    case SlotType::Kind::boolean:
+      return keep(out, boolean_at(value));
+    case SlotType::Kind::real:
+      return real_at(value, range, out);
+    case SlotType::Kind::integer:
+      return integer_at(value, range, out);
     case SlotType::Kind::text:
       return keep(out, text_at(value));
-    case SlotType::Kind::real:
-      return real_at(value, {}, out);
-    case SlotType::Kind::integer:
-      return integer_at(value, {}, out);
+    case SlotType::Kind::vector:
+      return vector_at(value, range, out);
+    case SlotType::Kind::size:
+      return keep(out, size_at(value, range));
     case SlotType::Kind::color:
       return keep(out, color_at(value));
-    case SlotType::Kind::vector:
-      return vector_at(value, {}, out);
+    case SlotType::Kind::curve:
+      return keep(out, curve_at(value));
+    case SlotType::Kind::animated:
+      return out.held_type().length == 1 ? keep(out, animated_at(value, range, Animated<double>{}))
+                                         : keep(out, animated_at(value, range, Animated<Vec3>{}));
+    case SlotType::Kind::pairs:
+      return keep(out, pairs_at(value));
     default:
       return struct_at(value, out);
   }
 }
 
-void Reader::number(std::string_view name, RealSlot out, const Range& range, std::string_view) {
-  member(name, [&](const Value& v) { real_at(v, range, out); });
+void Reader::visit_value(std::string_view name, Slot out, const Range& range, std::string_view) {
+  member(name, [&](const Value& v) { value_at(v, range, out); });
 }
 
 void Reader::angle(std::string_view name, RealSlot out, const Range& range, std::string_view) {
@@ -122,18 +131,6 @@ void Reader::angle(std::string_view name, RealSlot out, const Range& range, std:
     if (out.type->kind == SlotType::Kind::real) warn_of_radians(v, *found, degrees(real(out)));
     set_real(out.hold(), radians(*found));
   });
-}
-
-void Reader::integer(std::string_view name, IntegerSlot out, const Range& range, std::string_view) {
-  member(name, [&](const Value& v) { integer_at(v, range, out); });
-}
-
-void Reader::boolean(std::string_view name, BooleanSlot out, std::string_view) {
-  member(name, [&](const Value& v) { keep(out, boolean_at(v)); });
-}
-
-void Reader::text(std::string_view name, TextSlot out, std::string_view) {
-  member(name, [&](const Value& v) { keep(out, text_at(v)); });
 }
 
 void Reader::file(std::string_view name, FileName& out, LoadFile load, std::string_view, bool needed) {
@@ -155,10 +152,6 @@ void Reader::choose(std::string_view name, Slot out, const ChoiceTable& table, s
   });
 }
 
-void Reader::vector(std::string_view name, VectorSlot out, const Range& range, std::string_view) {
-  member(name, [&](const Value& v) { vector_at(v, range, out); });
-}
-
 void Reader::direction(std::string_view name, VectorSlot out, Across across, std::string_view) {
   member(name, [&](const Value& v) {
     if (out.held_type().is_float) {
@@ -167,28 +160,6 @@ void Reader::direction(std::string_view name, VectorSlot out, Across across, std
     } else {
       std::optional<DVec3> read = vector_at<DVec3>(v, kDirections);
       if (read && has_length(v, *read, across)) keep(out, read);
-    }
-  });
-}
-
-void Reader::size(std::string_view name, SizeSlot out, const Range& range, std::string_view) {
-  member(name, [&](const Value& v) { keep(out, size_at(v, range)); });
-}
-
-void Reader::color(std::string_view name, ColorSlot out, std::string_view) {
-  member(name, [&](const Value& v) { keep(out, color_at(v)); });
-}
-
-void Reader::curve(std::string_view name, CurveSlot out, std::string_view) {
-  member(name, [&](const Value& v) { keep(out, curve_at(v)); });
-}
-
-void Reader::animated(std::string_view name, AnimatedSlot out, const Range& range, std::string_view) {
-  member(name, [&](const Value& v) {
-    if (out.held_type().length == 1) {
-      keep(out, animated_at(v, range, Animated<double>{}));
-    } else {
-      keep(out, animated_at(v, range, Animated<Vec3>{}));
     }
   });
 }
@@ -210,12 +181,8 @@ void Reader::list_at(const Value& value, Slot out, const Count& count,
 
 void Reader::list(std::string_view name, ListSlot out, const Count& count, std::string_view) {
   member(name, [&](const Value& v) {
-    list_at(v, out.hold(), count, [&](const Value& item, Slot element) { element_at(item, element); });
+    list_at(v, out.hold(), count, [&](const Value& item, Slot element) { value_at(item, {}, element); });
   });
-}
-
-void Reader::pairs(std::string_view name, PairsSlot out, std::string_view) {
-  member(name, [&](const Value& v) { keep(out, pairs_at(v)); });
 }
 
 void Reader::read_custom(std::string_view name, Slot, ReadCustom read, std::string_view, std::string_view) {
@@ -257,7 +224,7 @@ void Reader::inheriting_list(const Inheritance& names, ListSlot out, const KindT
   Value nothing = make_object();
   const Value* defaults = &nothing;
   member(names.defaults, [&](const Value& value) {
-    if (!value.is(Value::Type::object)) return fault(value, "an object");
+    if (!value.is(Value::Type::object)) return void(fault(value, "an object"));
     defaults = &value;
     std::vector<std::vector<Fault>> readings;
     for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
@@ -277,7 +244,7 @@ void Reader::inheriting_list(const Inheritance& names, ListSlot out, const KindT
   std::vector<std::string> force;
   member(names.force, [&](const Value& value) {
     list_at(value, slot_of(force), {}, [&](const Value& item, Slot path) {
-      if (element_at(item, path))
+      if (value_at(item, {}, path))
         check_path(item, path.as<std::string>(), SchemaWriter::defaults_of(one, kinds));
     });
   });

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -23,37 +24,30 @@ std::string order_text(std::string_view what, double before) {
 std::optional<double> Reader::number_at(const Value& value, const Range& range) {
   if (value.is(Value::Type::number) && range.holds(value.number)) return value.number;
   bool large = value.is(Value::Type::number) && std::abs(value.number) > std::numeric_limits<float>::max();
-  fault(value, "a number" + (large ? " within 3.4e38" : range_text(range)));
-  return std::nullopt;
+  return fault(value, "a number" + (large ? " within 3.4e38" : range_text(range)));
 }
 
 std::optional<double> Reader::whole_at(const Value& value, const Range& range) {
   bool whole = value.is(Value::Type::number) && std::floor(value.number) == value.number;
   if (whole && range.holds(value.number)) return value.number;
-  fault(value, "a whole number" + range_text(range));
-  return std::nullopt;
+  return fault(value, "a whole number" + range_text(range));
 }
 
 std::optional<bool> Reader::boolean_at(const Value& value) {
   if (value.is(Value::Type::boolean)) return value.boolean;
-  fault(value, "true or false");
-  return std::nullopt;
+  return fault(value, "true or false");
 }
 
 std::optional<std::string> Reader::text_at(const Value& value) {
   if (value.is(Value::Type::text)) return value.text;
-  fault(value, "a text");
-  return std::nullopt;
+  return fault(value, "a text");
 }
 
 std::optional<std::size_t> Reader::name_at(const Value& value, std::span<const std::string_view> names) {
-  if (value.is(Value::Type::text)) {
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      if (names[i] == value.text) return i;
-    }
-  }
-  std::string_view found = value.text;
-  faults_.add({value.origin, pointer_, "found " + found_text(value) + expected_names(found, names)});
+  auto named = std::ranges::find(names, value.text);
+  if (value.is(Value::Type::text) && named != names.end())
+    return static_cast<std::size_t>(named - names.begin());
+  faults_.add({value.origin, pointer_, "found " + found_text(value) + expected_names(value.text, names)});
   return std::nullopt;
 }
 
@@ -82,10 +76,7 @@ bool Reader::has_length(const Value& value, const DVec3& direction, Across acros
 }
 
 std::optional<std::array<int, 2>> Reader::size_at(const Value& value, const Range& range) {
-  if (!value.is(Value::Type::list) || value.items.size() != 2) {
-    fault(value, "[width, height]");
-    return std::nullopt;
-  }
+  if (!value.is(Value::Type::list) || value.items.size() != 2) return fault(value, "[width, height]");
   std::array<int, 2> size{};
   bool wide = inside("0", [&] { return integer_at(value.items[0], range, slot_of(size[0])); });
   bool high = inside("1", [&] { return integer_at(value.items[1], range, slot_of(size[1])); });
@@ -103,15 +94,13 @@ std::optional<Color> Reader::color_at(const Value& value) {
     near = nearest_css_name(value.text);
   }
   std::string meant = near.empty() ? "" : fmt::format("; did you mean \"{}\"?", near);
-  fault(value, "a color: a name of CSS, \"#rrggbb\", rgb(), hsl() or [red, green, blue] from 0 to 1" + meant);
-  return std::nullopt;
+  return fault(value,
+               "a color: a name of CSS, \"#rrggbb\", rgb(), hsl() or [red, green, blue] from 0 to 1" + meant);
 }
 
 std::optional<Curve> Reader::curve_at(const Value& value) {
-  if (!value.is(Value::Type::list) || value.items.size() < 2) {
-    fault(value, "a curve: two or more points [[x, y], ...]");
-    return std::nullopt;
-  }
+  if (!value.is(Value::Type::list) || value.items.size() < 2)
+    return fault(value, "a curve: two or more points [[x, y], ...]");
   std::vector<Vec2> points;
   bool good = true;
   for (std::size_t i = 0; i < value.items.size(); ++i) {
@@ -163,28 +152,21 @@ std::optional<Animated<T>> Reader::keys_at(const Value& value, bool constant, Re
 std::optional<Animated<double>> Reader::animated_at(const Value& value, const Range& range,
                                                     const Animated<double>&) {
   bool list = value.is(Value::Type::list) && !value.items.empty();
-  if (!list && !value.is(Value::Type::number)) {
-    fault(value, fmt::format("a number{}, or {}", range_text(range), kKeyframes));
-    return std::nullopt;
-  }
+  if (!list && !value.is(Value::Type::number))
+    return fault(value, fmt::format("a number{}, or {}", range_text(range), kKeyframes));
   return keys_at<double>(value, !list, [&](const Value& v) { return number_at(v, range); });
 }
 
 std::optional<Animated<Vec3>> Reader::animated_at(const Value& value, const Range& range,
                                                   const Animated<Vec3>&) {
-  if (!value.is(Value::Type::list) || value.items.empty()) {
-    fault(value, fmt::format("a list of 3 numbers{}, or {}", range_text(range), kKeyframes));
-    return std::nullopt;
-  }
+  if (!value.is(Value::Type::list) || value.items.empty())
+    return fault(value, fmt::format("a list of 3 numbers{}, or {}", range_text(range), kKeyframes));
   bool constant = !value.items[0].is(Value::Type::list);
   return keys_at<Vec3>(value, constant, [&](const Value& v) { return vector_at<Vec3>(v, range); });
 }
 
 std::optional<std::vector<std::pair<std::string, std::string>>> Reader::pairs_at(const Value& value) {
-  if (!value.is(Value::Type::object)) {
-    fault(value, "an object of numbers and texts");
-    return std::nullopt;
-  }
+  if (!value.is(Value::Type::object)) return fault(value, "an object of numbers and texts");
   std::vector<std::pair<std::string, std::string>> pairs;
   for (const Member& member : value.members) {
     const Value& inner = member.value;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -32,21 +31,11 @@ class SchemaWriter : public Properties {
   // The properties, see describe.h.
 
   Purpose purpose() const override { return Purpose::schema; }
-  void number(std::string_view name, RealSlot x, const Range& range, std::string_view doc) override;
   void angle(std::string_view name, RealSlot x, const Range& range, std::string_view doc) override;
-  void integer(std::string_view name, IntegerSlot n, const Range& range, std::string_view doc) override;
-  void boolean(std::string_view name, BooleanSlot b, std::string_view doc) override;
-  void text(std::string_view name, TextSlot s, std::string_view doc) override;
   void file(std::string_view name, FileName& file, LoadFile, std::string_view doc, bool needed) override;
-  void vector(std::string_view name, VectorSlot v, const Range& range, std::string_view doc) override;
   void direction(std::string_view name, VectorSlot v, Across across, std::string_view doc) override;
-  void size(std::string_view name, SizeSlot s, const Range& range, std::string_view doc) override;
-  void color(std::string_view name, ColorSlot c, std::string_view doc) override;
-  void curve(std::string_view name, CurveSlot c, std::string_view doc) override;
-  void animated(std::string_view name, AnimatedSlot a, const Range& range, std::string_view doc) override;
   void object(std::string_view name, ObjectSlot o, std::string_view doc) override;
   void list(std::string_view name, ListSlot l, const Count& count, std::string_view doc) override;
-  void pairs(std::string_view name, PairsSlot p, std::string_view doc) override;
   void tagged(std::string_view name, ObjectSlot o, const KindTable& kinds, std::string_view doc) override;
   void tagged_list(std::string_view name, ListSlot l, const KindTable& kinds, std::string_view doc) override;
   void inheriting_list(const Inheritance& names, ListSlot l, const KindTable& kinds,
@@ -61,6 +50,7 @@ class SchemaWriter : public Properties {
   Value object_schema() const;
 
  protected:
+  void visit_value(std::string_view name, Slot x, const Range& range, std::string_view doc) override;
   void choose(std::string_view name, Slot e, const ChoiceTable& table, std::string_view doc) override;
   void read_custom(std::string_view name, Slot x, ReadCustom, std::string_view schema,
                    std::string_view doc) override;
@@ -75,7 +65,7 @@ class SchemaWriter : public Properties {
   };
   static Value schema_of(Slot object);
   static Value sample_schema(const SlotType& object);
-  static Value element_schema(const SlotType& element);
+  static Value value_schema(const SlotType& type, const Range& range);
   static std::vector<KindSchema> kind_schemas(const SlotType& one, const KindTable& kinds);
   static Value tagged_schema(const SlotType& one, const KindTable& kinds);
   static Value joined_kinds(const Value& common, const std::vector<KindSchema>& kinds);

@@ -141,12 +141,9 @@ Value color_default(const Color& color) {
 Value without_required(Value schema) {
   schema.remove("required");
   if (Value* then = schema.find("then")) *then = without_required(std::move(*then));
-  if (Value* all = schema.find("allOf")) {
-    for (Value& inner : all->items) inner = without_required(std::move(inner));
-  }
-  if (Value* any = schema.find("anyOf")) {
-    for (Value& inner : any->items) inner = without_required(std::move(inner));
-  }
+  for (std::string_view several : {"allOf", "anyOf"})
+    if (Value* all = schema.find(several))
+      for (Value& inner : all->items) inner = without_required(std::move(inner));
   if (Value* properties = schema.find("properties")) {
     for (Member& member : properties->members) member.value = without_required(std::move(member.value));
   }
@@ -171,15 +168,11 @@ Value either(const Value& a, const Value& b) {
     return joined;
   }
   Value choices = make_list();
-  if (const Value* any = a.find("anyOf")) {
-    choices = *any;
-  } else {
-    choices.items.push_back(strip_notes(a));
-  }
-  if (const Value* any = b.find("anyOf")) {
-    choices.items.insert(choices.items.end(), any->items.begin(), any->items.end());
-  } else {
-    choices.items.push_back(strip_notes(b));
+  for (const Value* one : {&a, &b}) {
+    if (const Value* any = one->find("anyOf"))
+      choices.items.insert(choices.items.end(), any->items.begin(), any->items.end());
+    else
+      choices.items.push_back(strip_notes(*one));
   }
   return make_object().set("anyOf", choices);
 }

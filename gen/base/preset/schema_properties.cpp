@@ -46,6 +46,33 @@ Value animated_default(const Animated<T>& a) {
   return keys;
 }
 
+Value default_of(Slot x) {
+  switch (x.type->kind) {
+    case SlotType::Kind::boolean:
+      return make_boolean(x.as<bool>());
+    case SlotType::Kind::real:
+      return tidy_real(x);
+    case SlotType::Kind::integer:
+      return make_number(x.type->get(x.at));
+    case SlotType::Kind::text:
+      return make_text(x.as<std::string>());
+    case SlotType::Kind::vector:
+      return tidy_vector(x);
+    case SlotType::Kind::size:
+      return make_list(
+          {make_number(x.as<std::array<int, 2>>()[0]), make_number(x.as<std::array<int, 2>>()[1])});
+    case SlotType::Kind::color:
+      return color_default(x.as<Color>());
+    case SlotType::Kind::curve:
+      return curve_default(x.as<Curve>());
+    case SlotType::Kind::animated:
+      return x.type->length == 1 ? animated_default(x.as<Animated<double>>())
+                                 : animated_default(x.as<Animated<Vec3>>());
+    default:
+      return {};
+  }
+}
+
 /// The default of a property, null where it has none.
 template <class Print>
 Value initial(Slot x, Print print) {
@@ -61,45 +88,43 @@ Value written_schema(std::string_view json) {
 
 }  // namespace
 
-Value SchemaWriter::element_schema(const SlotType& element) {
-  switch (element.kind) {
+Value SchemaWriter::value_schema(const SlotType& type, const Range& range) {
+  auto numbers = [&] { return vector_schema(number_schema(range), static_cast<std::size_t>(type.length)); };
+  switch (type.kind) {
+    case SlotType::Kind::boolean:
+      return typed("boolean");
+    case SlotType::Kind::real:
+      return number_schema(range);
+    case SlotType::Kind::integer:
+      return integer_schema(whole_range(range, type));
     case SlotType::Kind::text:
       return typed("string");
-    case SlotType::Kind::real:
-      return number_schema({});
-    case SlotType::Kind::integer:
-      return integer_schema(whole_range({}, element));
+    case SlotType::Kind::vector:
+      return numbers();
+    case SlotType::Kind::size:
+      return vector_schema(integer_schema(range), 2);
     case SlotType::Kind::color:
       return color_schema();
-    case SlotType::Kind::vector:
-      return vector_schema(number_schema({}), static_cast<std::size_t>(element.length));
+    case SlotType::Kind::curve:
+      return curve_schema();
+    case SlotType::Kind::animated:
+      return type.length == 1 ? animated_schema(number_schema(range), of<KeyShape<double>>())
+                              : animated_schema(numbers(), of<KeyShape<Vec3>>());
+    case SlotType::Kind::pairs:
+      return pairs_schema();
     default:
-      return sample_schema(element);
+      return sample_schema(type);
   }
 }
 
-void SchemaWriter::number(std::string_view name, RealSlot x, const Range& range, std::string_view doc) {
-  add(name, number_schema(range), doc, range.unit, initial(x, tidy_real));
+void SchemaWriter::visit_value(std::string_view name, Slot x, const Range& range, std::string_view doc) {
+  add(name, value_schema(x.held_type(), range), doc, range.unit, initial(x, default_of));
 }
 
 void SchemaWriter::angle(std::string_view name, RealSlot x, const Range& range, std::string_view doc) {
   add(name, number_schema(range), doc, angle_unit(range), initial(x, [](Slot held) {
         return tidy_angle(held.type->is_float ? static_cast<double>(held.as<float>()) : held.as<double>());
       }));
-}
-
-void SchemaWriter::integer(std::string_view name, IntegerSlot n, const Range& range, std::string_view doc) {
-  add(name, integer_schema(whole_range(range, n.held_type())), doc, range.unit,
-      initial(n, [](Slot held) { return make_number(held.type->get(held.at)); }));
-}
-
-void SchemaWriter::boolean(std::string_view name, BooleanSlot b, std::string_view doc) {
-  add(name, typed("boolean"), doc, "", initial(b, [](Slot held) { return make_boolean(held.as<bool>()); }));
-}
-
-void SchemaWriter::text(std::string_view name, TextSlot s, std::string_view doc) {
-  add(name, typed("string"), doc, "",
-      initial(s, [](Slot held) { return make_text(held.as<std::string>()); }));
 }
 
 void SchemaWriter::file(std::string_view name, FileName& file, LoadFile, std::string_view doc, bool) {
@@ -117,38 +142,8 @@ void SchemaWriter::choose(std::string_view name, Slot e, const ChoiceTable& tabl
       }));
 }
 
-void SchemaWriter::vector(std::string_view name, VectorSlot v, const Range& range, std::string_view doc) {
-  add(name, vector_schema(number_schema(range), static_cast<std::size_t>(v.held_type().length)), doc,
-      range.unit, initial(v, tidy_vector));
-}
-
 void SchemaWriter::direction(std::string_view name, VectorSlot v, Across across, std::string_view doc) {
   add(name, direction_schema(across), doc, "", initial(v, tidy_vector));
-}
-
-void SchemaWriter::size(std::string_view name, SizeSlot s, const Range& range, std::string_view doc) {
-  add(name, vector_schema(integer_schema(range), 2), doc, range.unit, initial(s, [](Slot held) {
-        const auto& [width, height] = held.as<std::array<int, 2>>();
-        return make_list({make_number(width), make_number(height)});
-      }));
-}
-
-void SchemaWriter::color(std::string_view name, ColorSlot c, std::string_view doc) {
-  add(name, color_schema(), doc, "", initial(c, [](Slot held) { return color_default(held.as<Color>()); }));
-}
-
-void SchemaWriter::curve(std::string_view name, CurveSlot c, std::string_view doc) {
-  add(name, curve_schema(), doc, "", initial(c, [](Slot held) { return curve_default(held.as<Curve>()); }));
-}
-
-void SchemaWriter::animated(std::string_view name, AnimatedSlot a, const Range& range, std::string_view doc) {
-  bool number = a.held_type().length == 1;
-  Value key = number ? number_schema(range) : vector_schema(number_schema(range), 3);
-  Value shape = number ? of<KeyShape<double>>() : of<KeyShape<Vec3>>();
-  add(name, animated_schema(key, shape), doc, range.unit, initial(a, [&](Slot held) {
-        return number ? animated_default(held.as<Animated<double>>())
-                      : animated_default(held.as<Animated<Vec3>>());
-      }));
 }
 
 void SchemaWriter::object(std::string_view name, ObjectSlot o, std::string_view doc) {
@@ -157,11 +152,7 @@ void SchemaWriter::object(std::string_view name, ObjectSlot o, std::string_view 
 }
 
 void SchemaWriter::list(std::string_view name, ListSlot l, const Count& count, std::string_view doc) {
-  add(name, list_schema(element_schema(*l.held_type().element), count), doc);
-}
-
-void SchemaWriter::pairs(std::string_view name, PairsSlot, std::string_view doc) {
-  add(name, pairs_schema(), doc);
+  add(name, list_schema(value_schema(*l.held_type().element, {}), count), doc);
 }
 
 void SchemaWriter::tagged(std::string_view name, ObjectSlot o, const KindTable& kinds, std::string_view doc) {

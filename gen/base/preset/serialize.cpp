@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -8,34 +10,16 @@ namespace frond {
 namespace {
 
 void append_text(std::string& out, std::string_view text) {
-  constexpr std::string_view kHex = "0123456789abcdef";
+  constexpr std::string_view kEscaped = "\"\\\n\r\t", kNames = "\"\\nrt";
   out += '"';
   for (char c : text) {
-    switch (c) {
-      case '"':
-        out += "\\\"";
-        break;
-      case '\\':
-        out += "\\\\";
-        break;
-      case '\n':
-        out += "\\n";
-        break;
-      case '\r':
-        out += "\\r";
-        break;
-      case '\t':
-        out += "\\t";
-        break;
-      default:
-        if (static_cast<unsigned char>(c) < 0x20) {
-          out += "\\u00";
-          out += kHex[static_cast<unsigned char>(c) >> 4];
-          out += kHex[c & 15];
-        } else {
-          out += c;
-        }
-    }
+    bool control = static_cast<unsigned char>(c) < 0x20;
+    if (!control && c != '"' && c != '\\')
+      out += c;
+    else if (std::size_t which = kEscaped.find(c); which != kEscaped.npos)
+      (out += '\\') += kNames[which];
+    else
+      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
   }
   out += '"';
 }

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <concepts>
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>

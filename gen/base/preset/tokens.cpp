@@ -15,22 +15,6 @@ char byte_at(std::string_view text, std::size_t offset) { return offset < text.s
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-void append_utf8(std::string& text, std::uint32_t code) {
-  auto add = [&](std::uint32_t byte) { text += static_cast<char>(byte); };
-  if (code < 0x80) return add(code);
-  if (code < 0x800) {
-    add(0xc0 | code >> 6);
-  } else if (code < 0x10000) {
-    add(0xe0 | code >> 12);
-    add(0x80 | (code >> 6 & 0x3f));
-  } else {
-    add(0xf0 | code >> 18);
-    add(0x80 | (code >> 12 & 0x3f));
-    add(0x80 | (code >> 6 & 0x3f));
-  }
-  add(0x80 | (code & 0x3f));
-}
-
 TokenFault unknown_escape(std::size_t offset) {
   return {offset, R"(an unknown escape; expected one of \" \\ \/ \b \f \n \r \t \uXXXX)"};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,7 +17,7 @@ inline constexpr int kBlockVoxels = kBlockSide * kBlockSide * kBlockSide;
 /// so that the grid is the same in each frame.
 struct Cell {
   std::int32_t i = 0, j = 0, k = 0;
-  bool operator==(const Cell&) const = default;
+  auto operator<=>(const Cell&) const = default;
 };
 
 /// A cube of 8 x 8 x 8 voxels with the items near it.

@@ -92,12 +92,11 @@ void visit_faces(const Cubes& cubes, const Visit& visit) {
 
 /// The faces that show as a mesh whose triangles share their corners, in cells.
 Surface joined_faces(const Cubes& cubes, std::vector<std::int32_t>& node) {
-  using Corner = std::array<std::int32_t, 3>;
-  std::vector<Corner> all;
+  std::vector<Cell> all;
   visit_faces(cubes, [&](std::size_t c, std::size_t f) {
-    for (Cell corner : face_corners(cubes.cell[c], f)) all.push_back({corner.i, corner.j, corner.k});
+    for (Cell corner : face_corners(cubes.cell[c], f)) all.push_back(corner);
   });
-  std::vector<Corner> corners = all;
+  std::vector<Cell> corners = all;
   std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   Surface s;
@@ -112,8 +111,7 @@ Surface joined_faces(const Cubes& cubes, std::vector<std::int32_t>& node) {
       corner = static_cast<std::uint32_t>(at - corners.begin());
       node[corner] = cubes.node[c];
     }
-    s.triangle.push_back({v[0], v[1], v[2]});
-    s.triangle.push_back({v[0], v[2], v[3]});
+    add_quad(s, v[0], v[1], v[2], v[3]);
   });
   return s;
 }
@@ -179,8 +177,7 @@ Surface cubes_surface(const Cubes& cubes, std::vector<std::uint32_t>& cube) {
       surface.position.push_back(voxel_middle(corner, cubes.side) - Vec3(0.5f * cubes.side));
       surface.normal.push_back(out);
     }
-    surface.triangle.push_back({first, first + 1, first + 2});
-    surface.triangle.push_back({first, first + 2, first + 3});
+    add_quad(surface, first, first + 1, first + 2, first + 3);
     cube.push_back(static_cast<std::uint32_t>(c));
   });
   return surface;

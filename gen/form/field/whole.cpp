@@ -1,27 +1,10 @@
 #include "field/whole.h"
 
-#include <algorithm>
-#include <numeric>
+#include "core/joined_sets.h"
 
 namespace frond {
 
 namespace {
-
-/// Sets that are joined by and by; the least member stands for each.
-struct Joined {
-  std::vector<std::uint32_t> up;
-
-  explicit Joined(std::size_t count) : up(count) { std::iota(up.begin(), up.end(), 0u); }
-
-  std::uint32_t top(std::uint32_t i) {
-    while (up[i] != i) i = up[i] = up[up[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = top(a), b = top(b);
-    up[std::max(a, b)] = std::min(a, b);
-  }
-};
 
 std::vector<std::int32_t> root_of_nodes(const BranchVolume& boughs) {
   std::vector<std::int32_t> root;
@@ -36,7 +19,7 @@ std::vector<std::int32_t> root_of_nodes(const BranchVolume& boughs) {
 }  // namespace
 
 std::vector<bool> outsides(const Surface& s, std::span<const std::int32_t> node, const BranchVolume& boughs) {
-  Joined joined(s.position.size());
+  JoinedSets joined(s.position.size());
   for (auto [a, b, c] : s.triangle) joined.join(a, b), joined.join(b, c);
   std::vector<double> volume(s.position.size());  // of each piece, at the vertex that stands for it
   for (auto [a, b, c] : s.triangle)

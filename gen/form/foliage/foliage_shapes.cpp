@@ -145,18 +145,15 @@ void add_pinna(Surface& s, const StemStation& from, double length, double width,
     std::uint32_t m = start + 5 * i, next = m + 5;
     s.triangle.push_back({m, m + 2, m + 1});
     s.triangle.push_back({m, next, m + 2});
-    s.triangle.push_back({m, m + 3, m + 4});
-    s.triangle.push_back({m, m + 4, next});
+    add_quad(s, m, m + 3, m + 4, next);
   }
 }
 
 void append_shaped(Surface& to, const Surface& from, const glm::mat3& turn, Vec3 shift) {
-  auto offset = static_cast<std::uint32_t>(to.position.size());
   glm::mat3 normals = turn / std::cbrt(std::max(std::abs(glm::determinant(turn)), 1e-20f));
-  for (Vec3 p : from.position) to.position.push_back(turn * p + shift);
-  for (Vec3 n : from.normal) to.normal.push_back(glm::normalize(normals * n));
-  to.uv.insert(to.uv.end(), from.uv.begin(), from.uv.end());
-  for (auto [a, b, c] : from.triangle) to.triangle.push_back({a + offset, b + offset, c + offset});
+  append_mapped(
+      to, from, [&](Vec3 p) { return turn * p + shift; },
+      [&](Vec3 n) { return glm::normalize(normals * n); });
 }
 
 /// By how much the leaflets of a frond differ to either side; by eye.

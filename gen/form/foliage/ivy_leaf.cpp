@@ -122,8 +122,7 @@ class Leaf {
       s_.triangle.push_back({0, 2 + k, 1 + k});
       for (std::uint32_t r = 0; r + 1 < rings.size(); ++r) {
         std::uint32_t a = 1 + r * n + k;
-        s_.triangle.push_back({a, a + 1, a + n + 1});
-        s_.triangle.push_back({a, a + n + 1, a + n});
+        add_quad(s_, a, a + 1, a + n + 1, a + n);
       }
     }
   }
@@ -150,13 +149,7 @@ class Leaf {
         s_.uv.emplace_back(2 + t, static_cast<float>(k) / static_cast<float>(sides));
       }
     }
-    auto n = static_cast<std::uint32_t>(sides) + 1;
-    for (std::uint32_t r = 0; r < static_cast<std::uint32_t>(pieces); ++r)
-      for (std::uint32_t k = 0; k + 1 < n; ++k) {
-        std::uint32_t a = start + r * n + k;
-        s_.triangle.push_back({a, a + 1, a + n + 1});
-        s_.triangle.push_back({a, a + n + 1, a + n});
-      }
+    stitch_rows(s_, start, static_cast<std::uint32_t>(pieces) + 1, static_cast<std::uint32_t>(sides) + 1);
   }
 
   const IvyLeafShape& shape_;

@@ -8,11 +8,8 @@ namespace frond {
 namespace {
 
 void append_turned(Surface& to, const Surface& from, const glm::mat3& turn, Vec3 shift) {
-  auto offset = static_cast<std::uint32_t>(to.position.size());
-  for (Vec3 p : from.position) to.position.push_back(turn * p + shift);
-  for (Vec3 n : from.normal) to.normal.push_back(turn * n);
-  to.uv.insert(to.uv.end(), from.uv.begin(), from.uv.end());
-  for (auto [a, b, c] : from.triangle) to.triangle.push_back({a + offset, b + offset, c + offset});
+  append_mapped(
+      to, from, [&](Vec3 p) { return turn * p + shift; }, [&](Vec3 n) { return turn * n; });
 }
 
 /// Half the width of a blade at `t`, as a share of the greatest: round at the foot, drawn out to a tip or
@@ -24,23 +21,9 @@ double outline_at(double t, const BladeShape& shape) {
   return point + shape.round * (std::sqrt(1 - (1 - x) * (1 - x)) - point);
 }
 
-/// Triangles of a grid of rows x columns, counter-clockwise seen from +z where columns run to the right.
-void stitch(Surface& s, std::uint32_t start, int rows, int columns) {
-  auto n = static_cast<std::uint32_t>(columns);
-  for (std::uint32_t r = 0; r + 1 < static_cast<std::uint32_t>(rows); ++r) {
-    for (std::uint32_t c = 0; c + 1 < n; ++c) {
-      std::uint32_t i = start + r * n + c;
-      s.triangle.push_back({i, i + 1, i + n + 1});
-      s.triangle.push_back({i, i + n + 1, i + n});
-    }
-  }
-}
-
 void drop_points(Surface& s) {
-  std::erase_if(s.triangle, [&](const std::array<std::uint32_t, 3>& t) {
-    Vec3 a = s.position[t[0]], b = s.position[t[1]], c = s.position[t[2]];
-    return glm::length(glm::cross(b - a, c - a)) < 1e-7f;
-  });
+  std::erase_if(s.triangle,
+                [&](const std::array<std::uint32_t, 3>& t) { return glm::length(area_of(s, t)) < 1e-7f; });
 }
 
 }  // namespace
@@ -70,7 +53,7 @@ Surface blade_surface(const BladeShape& shape) {
         s.uv.emplace_back(static_cast<float>(along), static_cast<float>(0.5 + 0.5 * side * share));
       }
     }
-    stitch(s, start, stations + 1, across + 1);
+    stitch_rows(s, start, static_cast<std::uint32_t>(stations) + 1, static_cast<std::uint32_t>(across) + 1);
   }
   drop_points(s);
   set_normals(s);
@@ -123,7 +106,7 @@ Surface turned_surface(std::span<const float> profile, int sides) {
                               r * static_cast<float>(std::sin(angle)));
     }
   }
-  stitch(s, 0, rows, sides + 1);
+  stitch_rows(s, 0, static_cast<std::uint32_t>(rows), static_cast<std::uint32_t>(sides) + 1);
   drop_points(s);
   set_normals(s);
   // The seam and the poles have several vertices in one place: one normal for all of them.

@@ -23,18 +23,8 @@ constexpr OutlineStation kNarrow[] = {{0, 0.05f}, {0.15f, 0.75f}, {0.40f, 1}, {0
 constexpr OutlineStation kLeaflet[] = {{0, 0.2f}, {0.45f, 1}, {1, 0}};
 
 std::span<const OutlineStation> outline_of(SprigKind kind) {
-  switch (kind) {
-    case SprigKind::oval:
-      return kOval;
-    case SprigKind::lobed:
-      return kLobed;
-    case SprigKind::narrow:
-      return kNarrow;
-    case SprigKind::needles:
-    case SprigKind::feather:
-      return kLeaflet;
-  }
-  return kOval;
+  constexpr std::span<const OutlineStation> kOutlines[] = {kOval, kLobed, kNarrow, kLeaflet, kLeaflet};
+  return kOutlines[static_cast<std::size_t>(kind)];
 }
 
 struct SprigLeaf {
@@ -62,9 +52,8 @@ void add_leaf(Surface& s, std::span<const OutlineStation> outline, const SprigLe
   }
   for (std::uint32_t k = 0; k + 1 < outline.size(); ++k) {
     for (std::uint32_t side = 0; side < 2; ++side) {
-      std::uint32_t a = base + 3 * k + side, b = a + 1, c = a + 3, d = c + 1;
-      s.triangle.push_back({a, b, d});
-      s.triangle.push_back({a, d, c});
+      std::uint32_t a = base + 3 * k + side;
+      add_quad(s, a, a + 1, a + 4, a + 3);
     }
   }
 }
@@ -154,10 +143,8 @@ Surface sprig_surface(const SprigShape& shape) {
     add_feather(s, shape);
   else
     add_leaves(s, shape);
-  std::erase_if(s.triangle, [&](const std::array<std::uint32_t, 3>& t) {
-    return glm::length(glm::cross(s.position[t[1]] - s.position[t[0]], s.position[t[2]] - s.position[t[0]])) <
-           1e-8f;
-  });
+  std::erase_if(s.triangle,
+                [&](const std::array<std::uint32_t, 3>& t) { return glm::length(area_of(s, t)) < 1e-8f; });
   set_normals(s);
   return s;
 }

@@ -2,7 +2,6 @@
 
 #include <glm/vec4.hpp>
 #include <span>
-#include <vector>
 
 namespace frond {
 

@@ -6,11 +6,6 @@ namespace frond {
 
 namespace {
 
-Vec3 face_area(const Surface& s, std::size_t face) {
-  auto [a, b, c] = s.triangle[face];
-  return glm::cross(s.position[b] - s.position[a], s.position[c] - s.position[a]);
-}
-
 Vec3 unit_or(Vec3 v, Vec3 otherwise) {
   float length = glm::length(v);
   return length > 0 ? v / length : otherwise;
@@ -22,7 +17,7 @@ Surface creased(const Surface& from, double angle, std::vector<std::uint32_t>* s
   std::vector<Vec3> area(from.triangle.size());
   std::vector<std::uint32_t> first(from.position.size() + 1, 0), around(from.triangle.size() * 3);
   for (std::size_t f = 0; f < from.triangle.size(); ++f) {
-    area[f] = face_area(from, f);
+    area[f] = area_of(from, from.triangle[f]);
     for (std::uint32_t v : from.triangle[f]) ++first[v + 1];
   }
   for (std::size_t v = 0; v < from.position.size(); ++v) first[v + 1] += first[v];

@@ -4,22 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <span>
 
+#include "core/joined_sets.h"
 #include "core/parallel.h"
 #include "geometry/bends.h"
 
 namespace frond {
 
 namespace {
-
-/// The last node of the chain that begins at `first`.
-std::int32_t chain_end(const Skeleton& s, std::int32_t first) {
-  auto n = static_cast<std::int32_t>(s.size());
-  while (first + 1 < n && s.parent[first + 1] == first) ++first;
-  return first;
-}
 
 /// What a piece of a surface adds up to.
 struct Piece {
@@ -34,7 +26,7 @@ std::vector<Piece> measured(const Surface& s, const Pieces& pieces, bool whole) 
   auto piece_of = [&](std::uint32_t vertex) -> Piece& { return list[whole ? 0 : pieces.of[vertex]]; };
   for (auto [a, b, c] : s.triangle) {
     Piece& piece = piece_of(a);
-    Vec3 across = glm::cross(s.position[b] - s.position[a], s.position[c] - s.position[a]) * 0.5f;
+    Vec3 across = area_of(s, {a, b, c}) * 0.5f;
     float area = glm::length(across);
     piece.area += area;
     piece.facing += across;
@@ -149,25 +141,18 @@ Skeleton thinned(const Skeleton& s, float least, float tolerance, std::vector<st
 }
 
 Pieces pieces_of(const Surface& surface) {
-  std::vector<std::uint32_t> root(surface.position.size());
-  std::iota(root.begin(), root.end(), 0u);
-  auto find = [&](std::uint32_t v) {
-    while (root[v] != v) v = root[v] = root[root[v]];
-    return v;
-  };
-  std::vector<char> loose(root.size(), 1);
+  JoinedSets joined(surface.position.size());
+  std::vector<char> loose(surface.position.size(), 1);
   for (auto [a, b, c] : surface.triangle) {
     loose[a] = loose[b] = loose[c] = 0;
-    // The smallest index stands for all.
-    std::uint32_t least = std::min({find(a), find(b), find(c)});
-    for (std::uint32_t v : {a, b, c}) root[find(v)] = least;
+    joined.join(a, b), joined.join(b, c);
   }
   Pieces pieces;
-  pieces.of.resize(root.size());
-  for (std::uint32_t v = 0; v < root.size(); ++v)
-    pieces.of[v] = loose[v]       ? std::max(pieces.count, 1u) - 1
-                   : find(v) == v ? pieces.count++
-                                  : pieces.of[find(v)];
+  pieces.of.resize(loose.size());
+  for (std::uint32_t v = 0; v < loose.size(); ++v)
+    pieces.of[v] = loose[v]             ? std::max(pieces.count, 1u) - 1
+                   : joined.top(v) == v ? pieces.count++
+                                        : pieces.of[joined.top(v)];
   pieces.count = std::max(pieces.count, 1u);
   return pieces;
 }
@@ -292,9 +277,7 @@ Surface reduced_tiles(const Surface& surface, std::span<const std::uint32_t> til
       for (std::uint32_t& v : t) v = vertex[v];
     own = std::move(left);
   });
-  Triangles all;
-  for (const Triangles& own : tiles) all.insert(all.end(), own.begin(), own.end());
-  return with_corners_of(surface, std::move(all), nullptr);
+  return with_corners_of(surface, joined(tiles));
 }
 
 }  // namespace frond

@@ -8,6 +8,7 @@
 #include <glm/mat4x4.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 
 #include "core/linear.h"
 #include "geometry/byte_reader.h"
@@ -24,7 +25,6 @@ struct Fault {
   std::string what;
 };
 
-enum Component { kByte = 5120, kUnsignedByte, kShort, kUnsignedShort, kUnsignedInt = 5125, kFloat };
 enum Mode { kTriangles = 4, kStrip, kFan };
 
 /// A description, which nests no deeper than any that is meant: to copy or free one takes the stack.
@@ -36,20 +36,29 @@ Json parsed(std::string_view text) {
   });
 }
 
-std::size_t size_of(int component) {
-  switch (component) {
-    case kByte:
-    case kUnsignedByte:
-      return 1;
-    case kShort:
-    case kUnsignedShort:
-      return 2;
-    case kUnsignedInt:
-    case kFloat:
-      return 4;
-    default:
-      throw Fault{"an accessor of no type that is known"};
-  }
+/// A type of the numbers of an accessor.
+struct Component {
+  int code;
+  std::size_t bytes;
+  double largest;  // of those that may be normalized; else 1
+  double (*read)(ByteReader&);
+};
+
+template <class T>
+constexpr Component component(int code) {
+  double largest = 1;
+  if constexpr (std::is_integral_v<T> && sizeof(T) < 4) largest = std::numeric_limits<T>::max();
+  return {code, sizeof(T), largest,
+          [](ByteReader& reader) { return static_cast<double>(reader.read<T>().value_or(0)); }};
+}
+constexpr Component kComponents[] = {component<std::int8_t>(5120),   component<std::uint8_t>(5121),
+                                     component<std::int16_t>(5122),  component<std::uint16_t>(5123),
+                                     component<std::uint32_t>(5125), component<float>(5126)};
+
+const Component& component_of(int code) {
+  auto found = std::ranges::find(kComponents, code, &Component::code);
+  if (found == std::end(kComponents)) throw Fault{"an accessor of no type that is known"};
+  return *found;
 }
 
 std::size_t width_of(const std::string& type) {
@@ -136,27 +145,27 @@ class GlbReader {
     int type = a.at("componentType").get<int>();
     auto count = a.at("count").get<std::size_t>();
     width = width_of(a.at("type").get<std::string>());
-    double most = a.value("normalized", false) ? largest(type) : 1;
+    bool normalized = a.value("normalized", false);
     std::vector<double> all;
     if (a.contains("bufferView"))
-      all = entries(a, type, width, count, most);
+      all = entries(a, type, width, count, normalized);
     else if (!a.contains("sparse"))
       throw Fault{"has an accessor without data"};
     else if (count > kMostSparse)
       throw Fault{"has a sparse accessor of more than 100 million entries"};
     else
       all.assign(count * width, 0);
-    if (a.contains("sparse")) replace_some(all, a["sparse"], type, width, most);
+    if (a.contains("sparse")) replace_some(all, a["sparse"], type, width, normalized);
     return all;
   }
 
   /// Puts the values of a sparse accessor in the place of those whose indices it names.
   void replace_some(std::vector<double>& all, const Json& sparse, int type, std::size_t width,
-                    double most) const {
+                    bool normalized) const {
     auto count = sparse.at("count").get<std::size_t>();
     const Json& where = sparse.at("indices");
-    std::vector<double> places = entries(where, where.at("componentType").get<int>(), 1, count, 1);
-    std::vector<double> values = entries(sparse.at("values"), type, width, count, most);
+    std::vector<double> places = entries(where, where.at("componentType").get<int>(), 1, count, false);
+    std::vector<double> values = entries(sparse.at("values"), type, width, count, normalized);
     for (std::size_t i = 0; i < count; ++i) {
       if (!(places[i] >= 0 && places[i] < static_cast<double>(all.size() / width)))
         throw Fault{"has a sparse accessor that replaces an entry which is not there"};
@@ -165,10 +174,12 @@ class GlbReader {
     }
   }
 
-  /// So many entries of a view that `a` names, all numbers one after the other, divided by `most`.
+  /// So many entries of a view that `a` names, all numbers one after the other.
   std::vector<double> entries(const Json& a, int type, std::size_t width, std::size_t count,
-                              double most) const {
-    std::size_t each = size_of(type);
+                              bool normalized) const {
+    const Component& component = component_of(type);
+    std::size_t each = component.bytes;
+    double most = normalized ? component.largest : 1;
     auto which = a.at("bufferView").get<std::size_t>();
     std::string_view bytes = view(which);
     auto stride = list("bufferViews").at(which).value("byteStride", each * width);
@@ -182,41 +193,9 @@ class GlbReader {
     all.reserve(count * width);
     for (std::size_t i = 0; i < count; ++i) {
       ByteReader reader(bytes.substr(i * stride));
-      for (std::size_t k = 0; k < width; ++k) all.push_back(one(reader, type) / most);
+      for (std::size_t k = 0; k < width; ++k) all.push_back(component.read(reader) / most);
     }
     return all;
-  }
-
-  static double largest(int type) {
-    switch (type) {
-      case kByte:
-        return std::numeric_limits<std::int8_t>::max();
-      case kUnsignedByte:
-        return std::numeric_limits<std::uint8_t>::max();
-      case kShort:
-        return std::numeric_limits<std::int16_t>::max();
-      case kUnsignedShort:
-        return std::numeric_limits<std::uint16_t>::max();
-      default:
-        return 1;
-    }
-  }
-
-  static double one(ByteReader& reader, int type) {
-    switch (type) {
-      case kByte:
-        return reader.read<std::int8_t>().value_or(0);
-      case kUnsignedByte:
-        return reader.read<std::uint8_t>().value_or(0);
-      case kShort:
-        return reader.read<std::int16_t>().value_or(0);
-      case kUnsignedShort:
-        return reader.read<std::uint16_t>().value_or(0);
-      case kUnsignedInt:
-        return reader.read<std::uint32_t>().value_or(0);
-      default:
-        return static_cast<double>(reader.read<float>().value_or(0));
-    }
   }
 
   MeshMaterial material(const Json& m) const {

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
+#include "core/text.h"
 #include "geometry/mesh_formats.h"
 #include "geometry/mtl.h"
 #include "geometry/obj.h"
@@ -57,16 +57,9 @@ bool has_word(std::string_view bytes, std::string_view word) {
 }
 
 bool is_stl(std::string_view bytes) {
-  if (bytes.size() >= 84) {
-    std::uint64_t count = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-      count |= static_cast<std::uint64_t>(static_cast<unsigned char>(bytes[80 + i])) << (8 * i);
-    if (bytes.size() == 84 + 50 * count) return true;
-  }
+  if (is_binary_stl(bytes)) return true;
   std::size_t first = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
-  std::string word(bytes.substr(first, 5));
-  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return word == "solid" &&
+  return lower_case(bytes.substr(first, 5)) == "solid" &&
          (has_word(bytes, "facet") || has_word(bytes, "FACET") || has_word(bytes, "endsolid"));
 }
 
@@ -80,8 +73,8 @@ std::string nothing_to_draw(const PolygonMesh& mesh, std::string_view text) {
   return "is no mesh that is known; expected a file of Wavefront OBJ, PLY, STL or GLB";
 }
 
-}  // namespace
-
+/// What kind of file bytes are that hold no mesh Frond reads, such as "an FBX file"; empty where they may be
+/// an OBJ text or are of another format that is read.
 std::string foreign_format(std::string_view bytes) {
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   for (const Magic& magic : kForeign)
@@ -99,6 +92,8 @@ std::string foreign_format(std::string_view bytes) {
     return "a DXF text";
   return {};
 }
+
+}  // namespace
 
 const char* mesh_ending(std::string_view bytes) {
   return bytes.starts_with("glTF") ? ".glb" : is_ply(bytes) ? ".ply" : is_stl(bytes) ? ".stl" : ".obj";

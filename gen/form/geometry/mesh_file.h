@@ -1,8 +1,6 @@
 #pragma once
 
-#include <optional>
 #include <string>
-#include <string_view>
 
 #include "core/assets.h"
 #include "core/result.h"
@@ -10,10 +8,6 @@
 #include "model/surface.h"
 
 namespace frond {
-
-/// What kind of file bytes are that hold no mesh Frond reads, such as "an FBX file"; empty where they may be
-/// an OBJ text or are of another format that is read.
-std::string foreign_format(std::string_view bytes);
 
 /// The mesh of a file, whose format is told by what it holds, not by its name: Wavefront OBJ, PLY, STL or
 /// GLB. Files of materials that an OBJ names, and pictures that these name, are read if they lie in the same

@@ -15,6 +15,9 @@ Result<PolygonMesh> read_ply_mesh(std::string_view bytes, const std::string& nam
 /// An STL file, ASCII or binary. Corners at the very same place are one; solids of a text are objects.
 Result<PolygonMesh> read_stl_mesh(std::string_view bytes, const std::string& name);
 
+/// Whether bytes are as long as a binary STL file says at its beginning.
+bool is_binary_stl(std::string_view bytes);
+
 /// A GLB file (binary glTF 2.0): all meshes of its scene where its nodes place them, at rest, with normals,
 /// texture coordinates, colours and materials. Meshes that are compressed by an extension are named in an
 /// error.

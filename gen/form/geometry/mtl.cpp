@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 
 #include "core/files.h"
 #include "core/printable.h"
+#include "core/text.h"
 #include "geometry/text_lines.h"
 
 namespace frond {
@@ -48,14 +48,12 @@ std::optional<fs::path> found_below(const fs::path& folder, std::string name) {
   return std::nullopt;
 }
 
-}  // namespace
-
+/// Reads what an MTL text says of the materials that a mesh names: `Kd`, `d` or `Tr`, `map_Kd`.
 void read_mtl(std::string_view text, PolygonMesh& mesh) {
   TextLines lines(text);
   MeshMaterial* material = nullptr;
   while (lines.next()) {
-    std::string kind(lines.word());
-    for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    std::string kind = lower_case(lines.word());
     if (kind == "newmtl") {
       auto found = std::ranges::find(mesh.material, lines.others(), &MeshMaterial::name);
       material = found == mesh.material.end() ? nullptr : &*found;
@@ -76,6 +74,8 @@ void read_mtl(std::string_view text, PolygonMesh& mesh) {
     if (kind == "map_kd") material->picture_name = map_name(lines.others());
   }
 }
+
+}  // namespace
 
 void read_materials(const fs::path& obj, PolygonMesh& mesh, std::vector<fs::path>* noted,
                     std::string* content) {

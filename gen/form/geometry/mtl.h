@@ -2,15 +2,11 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "geometry/polygon_mesh.h"
 
 namespace frond {
-
-/// Reads what an MTL text says of the materials that a mesh names: `Kd`, `d` or `Tr`, `map_Kd`.
-void read_mtl(std::string_view text, PolygonMesh& mesh);
 
 /// Reads the files that an OBJ file names, which lie in its folder or below it: those of its materials and
 /// their pictures. What is missing becomes a note. Appends their paths to `noted` and what they hold to

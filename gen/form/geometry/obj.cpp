@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
 
 #include "core/read_as.h"
+#include "core/text.h"
 #include "geometry/text_lines.h"
 
 namespace frond {
@@ -70,8 +70,7 @@ class ObjParser {
   }
 
   std::string line_fault() {
-    std::string kind(lines_.word());
-    for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    std::string kind = lower_case(lines_.word());
     if (kind == "v") return read_place();
     if (kind == "vt") return read_texture(), "";
     if (kind == "vn") return read_normal();

@@ -8,7 +8,6 @@
 
 #include "core/result.h"
 #include "geometry/polygon_mesh.h"
-#include "model/surface.h"
 
 namespace frond {
 

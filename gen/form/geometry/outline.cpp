@@ -1,7 +1,8 @@
 #include "geometry/outline.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "geometry/polygon.h"
 
 namespace frond {
 
@@ -17,11 +18,7 @@ bool inside(Vec2 p, Vec2 a, Vec2 b, Vec2 c) {
 
 /// The outline as seen from the side of its area.
 std::vector<Vec2> flatten(std::span<const Vec3> points) {
-  Vec3 normal = outline_area(points);
-  float length = glm::length(normal);
-  normal = length > 0 ? normal / length : Vec3(0, 0, 1);
-  Vec3 x = glm::normalize(glm::cross(reference_axis(normal), normal));
-  Vec3 y = glm::cross(normal, x);
+  auto [x, y] = plane_axes(points);
   std::vector<Vec2> flat;
   flat.reserve(points.size());
   for (Vec3 p : points) flat.emplace_back(glm::dot(p - points[0], x), glm::dot(p - points[0], y));
@@ -40,13 +37,6 @@ bool is_ear(const std::vector<Vec2>& flat, const std::vector<std::uint32_t>& lef
 }
 
 }  // namespace
-
-Vec3 outline_area(std::span<const Vec3> points) {
-  Vec3 sum(0);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    sum += glm::cross(points[i] - points[0], points[(i + 1) % points.size()] - points[0]);
-  return sum * 0.5f;
-}
 
 void triangulate(std::span<const Vec3> points, std::uint32_t offset,
                  std::vector<std::array<std::uint32_t, 3>>& triangles) {
@@ -71,7 +61,7 @@ void triangulate(std::span<const Vec3> points, std::uint32_t offset,
 }
 
 void add_outline(Surface& surface, std::span<const Vec3> points, Vec3 foot) {
-  Vec3 area = outline_area(points);
+  Vec3 area = polygon_area(points);
   float size = glm::length(area);
   if (!(size > 1e-12f)) return;
   Vec3 normal = area / size, tip = foot;

@@ -10,11 +10,6 @@
 
 namespace frond {
 
-/// The area vector of a closed outline: its length is the area, its direction the side from which the outline
-/// runs counter-clockwise (Newell's method). An outline that is not flat counts by its projection on its mean
-/// plane.
-Vec3 outline_area(std::span<const Vec3> points);
-
 /// Triangulates an outline, which may be concave, keeping its orientation (ear clipping, Meisters 1975).
 /// Outlines that cross themselves give triangles too, but unpredictable ones. Appends to `triangles`, with
 /// `offset` added to each index.

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "core/bounds.h"
+#include "core/joined_sets.h"
 
 namespace frond {
 
@@ -21,11 +22,6 @@ struct MeshPiece {
   Bounds box;
   bool closed = false, turned = false;
 };
-
-std::uint32_t root_of(std::vector<std::uint32_t>& above, std::uint32_t i) {
-  while (above[i] != i) i = above[i] = above[above[i]];
-  return i;
-}
 
 /// For each vertex the first at the same place.
 std::vector<std::uint32_t> welded(std::span<const Vec3> position) {
@@ -63,17 +59,13 @@ bool is_closed(const MeshPiece& piece, TriangleSpan triangles, const std::vector
 std::vector<MeshPiece> pieces_of(std::span<const Vec3> position, TriangleSpan triangles,
                                  const std::vector<std::uint32_t>& which,
                                  const std::vector<std::uint32_t>& vertex) {
-  std::vector<std::uint32_t> above(position.size());
-  std::iota(above.begin(), above.end(), 0u);
+  JoinedSets joined(position.size());
   for (std::uint32_t t : which)
-    for (std::size_t k = 1; k < 3; ++k) {
-      std::uint32_t a = root_of(above, vertex[triangles[t][0]]), b = root_of(above, vertex[triangles[t][k]]);
-      above[std::max(a, b)] = std::min(a, b);
-    }
+    for (std::size_t k = 1; k < 3; ++k) joined.join(vertex[triangles[t][0]], vertex[triangles[t][k]]);
   std::map<std::uint32_t, std::size_t> known;
   std::vector<MeshPiece> pieces;
   for (std::uint32_t t : which) {
-    auto [place, fresh] = known.try_emplace(root_of(above, vertex[triangles[t][0]]), pieces.size());
+    auto [place, fresh] = known.try_emplace(joined.top(vertex[triangles[t][0]]), pieces.size());
     if (fresh) pieces.emplace_back();
     pieces[place->second].triangles.push_back(t);
   }

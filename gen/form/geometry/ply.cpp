@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <span>
 
@@ -14,29 +13,34 @@ namespace frond {
 
 namespace {
 
-enum class Scalar { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+template <class T>
+bool read_number(ByteReader& from, double& out) {
+  std::optional<T> value = from.read<T>();
+  if (value) out = static_cast<double>(*value);
+  return value.has_value();
+}
 
-struct ScalarName {
+/// A type of numbers, by both of its names.
+struct Scalar {
   std::string_view name, other;
-  Scalar type;
-  std::size_t bytes;
+  bool (*read)(ByteReader&, double& out);
 };
-constexpr ScalarName kScalars[] = {
-    {"char", "int8", Scalar::int8, 1},        {"uchar", "uint8", Scalar::uint8, 1},
-    {"short", "int16", Scalar::int16, 2},     {"ushort", "uint16", Scalar::uint16, 2},
-    {"int", "int32", Scalar::int32, 4},       {"uint", "uint32", Scalar::uint32, 4},
-    {"float", "float32", Scalar::float32, 4}, {"double", "float64", Scalar::float64, 8}};
+constexpr Scalar kScalars[] = {
+    {"char", "int8", read_number<std::int8_t>},    {"uchar", "uint8", read_number<std::uint8_t>},
+    {"short", "int16", read_number<std::int16_t>}, {"ushort", "uint16", read_number<std::uint16_t>},
+    {"int", "int32", read_number<std::int32_t>},   {"uint", "uint32", read_number<std::uint32_t>},
+    {"float", "float32", read_number<float>},      {"double", "float64", read_number<double>}};
 
-const ScalarName* scalar_named(std::string_view name) {
+const Scalar* scalar_named(std::string_view name) {
   auto found =
-      std::ranges::find_if(kScalars, [&](const ScalarName& s) { return s.name == name || s.other == name; });
+      std::ranges::find_if(kScalars, [&](const Scalar& s) { return s.name == name || s.other == name; });
   return found == std::end(kScalars) ? nullptr : &*found;
 }
 
 struct Property {
   std::string name;
-  const ScalarName* type = nullptr;
-  const ScalarName* count = nullptr;  // of a list
+  const Scalar* type = nullptr;
+  const Scalar* count = nullptr;  // of a list
 };
 
 struct Element {
@@ -123,8 +127,8 @@ class PlyParser {
         Element element;
         element.name = line.word();
         std::string_view digits = line.word();
-        auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), element.count);
-        if (error != std::errc{} || element.count < 0) return "an element without a number of them";
+        element.count = consume_as<long long>(digits).value_or(-1);
+        if (element.count < 0) return "an element without a number of them";
         elements_.push_back(std::move(element));
       } else if (kind == "property") {
         if (elements_.empty()) return "a property before any element";
@@ -144,41 +148,14 @@ class PlyParser {
     return formatted ? "" : "its header names no format";
   }
 
-  template <class T>
-  bool read_as(double& out) {
-    std::optional<T> value = body_->read<T>();
-    if (value) out = static_cast<double>(*value);
-    return value.has_value();
-  }
-
-  bool read_scalar(const ScalarName& type, double& out) {
-    if (ascii_) {
-      rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t\r\n"), rest_.size()));
-      std::string_view word = rest_.substr(0, rest_.find_first_of(" \t\r\n"));
-      rest_.remove_prefix(word.size());
-      std::optional<double> number = number_of(word);
-      if (number) out = *number;
-      return number.has_value();
-    }
-    switch (type.type) {
-      case Scalar::int8:
-        return read_as<std::int8_t>(out);
-      case Scalar::uint8:
-        return read_as<std::uint8_t>(out);
-      case Scalar::int16:
-        return read_as<std::int16_t>(out);
-      case Scalar::uint16:
-        return read_as<std::uint16_t>(out);
-      case Scalar::int32:
-        return read_as<std::int32_t>(out);
-      case Scalar::uint32:
-        return read_as<std::uint32_t>(out);
-      case Scalar::float32:
-        return read_as<float>(out);
-      case Scalar::float64:
-        return read_as<double>(out);
-    }
-    return false;
+  bool read_scalar(const Scalar& type, double& out) {
+    if (!ascii_) return type.read(*body_, out);
+    rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t\r\n"), rest_.size()));
+    std::string_view word = rest_.substr(0, rest_.find_first_of(" \t\r\n"));
+    rest_.remove_prefix(word.size());
+    std::optional<double> number = number_of(word);
+    if (number) out = *number;
+    return number.has_value();
   }
 
   /// Keeps of normals, texture coordinates and colours what all vertices have, and what are numbers.
@@ -203,7 +180,7 @@ class PlyParser {
     for (const Property& p : element.properties)
       if (int slot = slot_of(p.name); vertices && slot >= 0 && !p.count) {
         has[static_cast<std::size_t>(slot)] = true;
-        if (slot == kRed) bytes = p.type->type == Scalar::uint8;
+        if (slot == kRed) bytes = p.type->name == "uchar";
       }
     if (vertices && !(has[kX] && has[kY] && has[kZ])) return "its vertices have no x, y and z";
     for (long long i = 0; i < element.count; ++i) {

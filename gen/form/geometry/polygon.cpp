@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <glm/vec2.hpp>
 #include <limits>
 #include <numeric>
@@ -24,11 +23,7 @@ double flat_area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) 
 
 /// The polygon as seen from the side of its area, about one unit large.
 Flat flatten(std::span<const DVec3> points) {
-  DVec3 normal = polygon_area(points);
-  double length = glm::length(normal);
-  normal = length > 0 ? normal / length : DVec3(0, 0, 1);
-  DVec3 x = glm::normalize(glm::cross(reference_axis(normal), normal));
-  DVec3 y = glm::cross(normal, x);
+  auto [x, y] = plane_axes(points);
   double extent = 0;
   for (const DVec3& p : points) extent = std::max(extent, glm::distance(p, points[0]));
   if (!(extent > 0)) extent = 1;
@@ -121,13 +116,6 @@ void cut_ears(const Flat& flat, std::vector<std::uint32_t>& left, CutList& trian
 }
 
 }  // namespace
-
-DVec3 polygon_area(std::span<const DVec3> points) {
-  DVec3 sum(0);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    sum += glm::cross(points[i] - points[0], points[(i + 1) % points.size()] - points[0]);
-  return sum * 0.5;
-}
 
 bool triangulate_polygon(std::span<const DVec3> points, CutList& triangles) {
   assert(points.size() >= 3);

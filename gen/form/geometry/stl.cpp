@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <tuple>
 
+#include "core/text.h"
 #include "geometry/byte_reader.h"
 #include "geometry/mesh_formats.h"
 #include "geometry/text_lines.h"
@@ -36,8 +36,7 @@ Result<PolygonMesh> read_text(std::string_view text, const std::string& name) {
   TextLines lines(text);
   std::size_t first = 0;
   while (lines.next()) {
-    std::string kind(lines.word());
-    for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    std::string kind = lower_case(lines.word());
     if (kind == "solid") made.part = made.mesh.part_of({.object = std::string(lines.others()), .group = {}});
     if (kind == "outer") first = made.mesh.corner.size();
     if (kind == "endloop") made.add_face(first, lines.number()), first = made.mesh.corner.size();
@@ -82,12 +81,16 @@ Result<PolygonMesh> read_binary(std::string_view bytes, const std::string& name)
 
 }  // namespace
 
+bool is_binary_stl(std::string_view bytes) {
+  if (bytes.size() < 84) return false;
+  std::size_t count = ByteReader(bytes.substr(80)).read<std::uint32_t>().value_or(0);
+  return bytes.size() == 84 + 50 * count;
+}
+
 Result<PolygonMesh> read_stl_mesh(std::string_view bytes, const std::string& name) {
   // A binary one may begin with the word of a text.
   bool text = bytes.size() < 84 || bytes.substr(0, 1024).find("facet") != bytes.npos;
-  std::uint32_t count =
-      text && bytes.size() >= 84 ? ByteReader(bytes.substr(80)).read<std::uint32_t>().value_or(0) : 0;
-  if (count > 0 && bytes.size() == 84 + std::size_t{50} * count) text = false;
+  if (bytes.size() > 84 && is_binary_stl(bytes)) text = false;
   Result<PolygonMesh> mesh = text ? read_text(bytes, name) : read_binary(bytes, name);
   if (mesh && mesh->face.empty()) return Error{name, "is an STL file without a triangle"};
   return mesh;

@@ -176,13 +176,7 @@ class Tube {
 
   void stitch(std::uint32_t start, double pattern) {
     auto n = static_cast<std::uint32_t>(sides_) + 1, rings = static_cast<std::uint32_t>(nodes_.size());
-    for (std::uint32_t k = 0; k + 1 < rings; ++k) {
-      for (std::uint32_t s = 0; s + 1 < n; ++s) {
-        std::uint32_t i = start + k * n + s;
-        out_.triangle.push_back({i, i + 1, i + n + 1});
-        out_.triangle.push_back({i, i + n + 1, i + n});
-      }
-    }
+    stitch_rows(out_, start, rings, n);
     // The end is closed by a point a little farther on, which has the place on the picture of each side.
     std::uint32_t last = start + (rings - 1) * n;
     std::int32_t node = nodes_.back();
@@ -343,8 +337,7 @@ TubeMesh tube_mesh(const Skeleton& rest, std::span<const Vec3> position, std::sp
   Tube tube(rest, position, radius, turn, shape, mesh);
   auto n = static_cast<std::int32_t>(rest.size());
   for (std::int32_t first = 0; first < n;) {
-    std::int32_t last = first;
-    while (last + 1 < n && rest.parent[last + 1] == last) ++last;
+    std::int32_t last = chain_end(rest, first);
     tube.add(first, last);
     first = last + 1;
   }
@@ -371,8 +364,7 @@ TubeMesh closed_tubes(const Skeleton& rest, std::span<const Vec3> position, std:
       ++start;
       continue;
     }
-    std::int32_t stop = start + 1;
-    while (stop < n && rest.parent[stop] == stop - 1) ++stop;
+    std::int32_t stop = chain_end(rest, start) + 1;
     Line line;
     auto add = [&](std::int32_t i, float thick) {
       Vec3 at = position[static_cast<std::size_t>(i)];

@@ -5,7 +5,6 @@
 
 #include "core/linear.h"
 #include "core/parallel.h"
-#include "core/vec.h"
 #include "images/photo.h"
 
 namespace frond {
@@ -17,15 +16,7 @@ constexpr double kBlur = 0.125;  // half the width over which brightness is even
 constexpr double kLowest = 0.02,
                  kHighest = 0.98;  // share of pixels that is darker than the deepest, the highest
 
-/// Linear light, rows from the top down.
-struct Light {
-  int width = 0, height = 0;
-  std::vector<Vec3> data;
-  Light(int wide, int high)
-      : width(wide), height(high), data(static_cast<std::size_t>(wide) * static_cast<std::size_t>(high)) {}
-  Vec3& at(int x, int y) { return data[static_cast<std::size_t>(y * width + x)]; }
-  const Vec3& at(int x, int y) const { return data[static_cast<std::size_t>(y * width + x)]; }
-};
+using Light = PixelGrid<Vec3>;  // linear
 
 Light light_of(const Raster& picture) {
   Light light(picture.width, picture.height);

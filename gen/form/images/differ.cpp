@@ -50,14 +50,11 @@ SeenPicture seen(const LinearRaster& raster) {
 }
 
 Result<SeenPicture> read_seen_png(std::string_view bytes) {
-  if (of_16_bits(bytes)) {
-    Result<LinearRaster> raster = read_linear_png(bytes);
+  auto seen_of = [](const auto& raster) -> Result<SeenPicture> {
     if (!raster) return raster.errors();
     return seen(*raster);
-  }
-  Result<Raster> raster = read_png(bytes);
-  if (!raster) return raster.errors();
-  return seen(*raster);
+  };
+  return of_16_bits(bytes) ? seen_of(read_linear_png(bytes)) : seen_of(read_png(bytes));
 }
 
 Difference Differ::add(const SeenPicture& a, const SeenPicture& b) {

@@ -17,17 +17,7 @@ namespace frond {
 
 namespace {
 
-Imf::PixelType type_of(ExrChannel::Kind kind) {
-  switch (kind) {
-    case ExrChannel::Kind::half:
-      return Imf::HALF;
-    case ExrChannel::Kind::single:
-      return Imf::FLOAT;
-    case ExrChannel::Kind::whole:
-      break;
-  }
-  return Imf::UINT;
-}
+constexpr Imf::PixelType kTypes[] = {Imf::HALF, Imf::FLOAT, Imf::UINT};  // by ExrChannel::Kind
 
 /// Numbers that are too large become the largest; what is none or infinite stays so.
 std::vector<half> halves_of(std::span<const float> values) {
@@ -57,7 +47,7 @@ std::string written(std::array<int, 2> size, std::span<const ExrChannel> channel
   auto width = static_cast<std::size_t>(size[0]);
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const ExrChannel& channel = channels[i];
-    Imf::PixelType type = type_of(channel.kind);
+    Imf::PixelType type = kTypes[static_cast<std::size_t>(channel.kind)];
     header.channels().insert(channel.name, Imf::Channel(type));
     if (channel.kind == ExrChannel::Kind::half) {
       halves[i] = halves_of(channel.values);

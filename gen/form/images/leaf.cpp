@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/linear.h"
 #include "core/parallel.h"
@@ -12,33 +13,25 @@ namespace frond {
 
 namespace {
 
-/// A known leaf, drawn by eye. The fields are those of LeafOutline.
-struct Named {
-  std::string_view name;
-  double width, teeth, tooth, stalk;
-  bool palmate;
-  std::vector<double> radii;
-};
-
-const std::vector<Named>& table() {
+/// Known leaves, drawn by eye.
+const std::vector<std::pair<std::string_view, LeafOutline>>& table() {
   // clang-format off
-  static const std::vector<Named> list = {
-      // name  width teeth tooth stalk palmate radii, from the tip to the stalk
-      {"birch",  0.95, 22, 0.06,  0.20, false, {1, 0.70, 0.56, 0.56, 0.60, 0.58, 0.50}},
-      {"beech",  0.92,  0, 0,     0.10, false, {1, 0.86, 0.72, 0.64, 0.64, 0.72, 0.80}},
-      {"oak",    0.95,  0, 0,     0.10, false,
-       {1, 0.94, 0.62, 0.80, 0.50, 0.70, 0.46, 0.58, 0.46, 0.44, 0.52, 0.50, 0.66, 0.74}},
-      {"maple",  1,     0, 0,     0.26, true,
-       {1, 0.80, 0.64, 0.72, 0.56, 0.44, 0.40, 0.46, 0.58, 0.74, 0.68, 0.84, 0.97, 0.80, 0.64, 0.70, 0.56,
-        0.46, 0.42, 0.44, 0.50, 0.59, 0.54, 0.63, 0.72, 0.60, 0.50, 0.51, 0.42, 0.38, 0.36, 0.35, 0.34, 0.33,
-        0.32, 0.30, 0.26}},
-      {"ivy",    0.95,  0, 0,     0.28, true,
-       {1, 0.80, 0.56, 0.52, 0.70, 0.84, 0.62, 0.50, 0.56, 0.62, 0.48, 0.24}},
-      {"aspen",  0.98, 16, 0.03,  0.36, false, {1, 0.84, 0.80, 0.82, 0.84, 0.82, 0.74}},
-      {"willow", 0.85,  0, 0,     0.06, false, {1, 0.50, 0.28, 0.20, 0.175, 0.17, 0.19, 0.25, 0.44, 0.92}},
-      {"linden", 0.96, 24, 0.05,  0.26, false, {1, 0.76, 0.76, 0.82, 0.88, 0.92, 0.88, 0.64}},
-      {"cherry", 0.90, 26, 0.035, 0.14, false, {1, 0.72, 0.58, 0.54, 0.56, 0.62, 0.72}},
-      {"ginkgo", 1.15,  0, 0,     0.34, true,  {0.72, 0.90, 0.98, 1, 0.90, 0.62, 0.55, 0.62, 0.75}},
+  static const std::vector<std::pair<std::string_view, LeafOutline>> list = {
+      // name    radii, from the tip to the stalk; width, teeth, tooth, stalk, palmate
+      {"birch", {{1, 0.70, 0.56, 0.56, 0.60, 0.58, 0.50}, 0.95, 22, 0.06, 0.20, false}},
+      {"beech", {{1, 0.86, 0.72, 0.64, 0.64, 0.72, 0.80}, 0.92, 0, 0, 0.10, false}},
+      {"oak",
+       {{1, 0.94, 0.62, 0.80, 0.50, 0.70, 0.46, 0.58, 0.46, 0.44, 0.52, 0.50, 0.66, 0.74}, 0.95, 0, 0, 0.10, false}},
+      {"maple",
+       {{1, 0.80, 0.64, 0.72, 0.56, 0.44, 0.40, 0.46, 0.58, 0.74, 0.68, 0.84, 0.97, 0.80, 0.64, 0.70, 0.56,
+         0.46, 0.42, 0.44, 0.50, 0.59, 0.54, 0.63, 0.72, 0.60, 0.50, 0.51, 0.42, 0.38, 0.36, 0.35, 0.34,
+         0.33, 0.32, 0.30, 0.26}, 1, 0, 0, 0.26, true}},
+      {"ivy", {{1, 0.80, 0.56, 0.52, 0.70, 0.84, 0.62, 0.50, 0.56, 0.62, 0.48, 0.24}, 0.95, 0, 0, 0.28, true}},
+      {"aspen", {{1, 0.84, 0.80, 0.82, 0.84, 0.82, 0.74}, 0.98, 16, 0.03, 0.36, false}},
+      {"willow", {{1, 0.50, 0.28, 0.20, 0.175, 0.17, 0.19, 0.25, 0.44, 0.92}, 0.85, 0, 0, 0.06, false}},
+      {"linden", {{1, 0.76, 0.76, 0.82, 0.88, 0.92, 0.88, 0.64}, 0.96, 24, 0.05, 0.26, false}},
+      {"cherry", {{1, 0.72, 0.58, 0.54, 0.56, 0.62, 0.72}, 0.90, 26, 0.035, 0.14, false}},
+      {"ginkgo", {{0.72, 0.90, 0.98, 1, 0.90, 0.62, 0.55, 0.62, 0.75}, 1.15, 0, 0, 0.34, true}},
   };
   // clang-format on
   return list;
@@ -85,8 +78,8 @@ LeafFrame leaf_frame(const LeafOutline& o) {
 }  // namespace
 
 LeafOutline leaf_outline(std::string_view name) {
-  for (const Named& n : table())
-    if (n.name == name) return {n.radii, n.width, n.teeth, n.tooth, n.stalk, n.palmate};
+  for (const auto& [known, outline] : table())
+    if (known == name) return outline;
   LeafOutline none;
   none.radii.clear();
   return none;
@@ -95,7 +88,7 @@ LeafOutline leaf_outline(std::string_view name) {
 std::span<const std::string_view> leaf_names() {
   static const std::vector<std::string_view> names = [] {
     std::vector<std::string_view> list;
-    for (const Named& n : table()) list.push_back(n.name);
+    for (const auto& [known, outline] : table()) list.push_back(known);
     return list;
   }();
   return names;

@@ -67,8 +67,7 @@ void add_curled(Surface& s, const LeafImage& leaf, int points, const Bending& b)
     s.triangle.push_back({0, 1 + next, 1 + i});
     for (std::uint32_t ring = 0; ring + 1 < kRings; ++ring) {
       std::uint32_t in = 1 + ring * count, out = in + count;
-      s.triangle.push_back({in + i, in + next, out + next});
-      s.triangle.push_back({in + i, out + next, out + i});
+      add_quad(s, in + i, in + next, out + next, out + i);
     }
   }
 }
@@ -116,8 +115,7 @@ void add_leaf(Surface& s, const LeafImage& leaf, const LeafPlace& place, int poi
   if (leaf.outline.stalk <= 0) return;
   auto start = static_cast<std::uint32_t>(s.position.size());
   for (Vec2 q : {Vec2(-w, 0), Vec2(w, 0), Vec2(w * 0.7, foot), Vec2(-w * 0.7, foot)}) add(q);
-  s.triangle.push_back({start, start + 1, start + 2});
-  s.triangle.push_back({start, start + 2, start + 3});
+  add_quad(s, start, start + 1, start + 2, start + 3);
 }
 
 void add_rachis(Surface& s, double top, const Bending& b) {
@@ -131,11 +129,7 @@ void add_rachis(Surface& s, double top, const Bending& b) {
       s.uv.push_back(b.uv(p));
     }
   }
-  for (std::uint32_t i = 0; i < kPieces; ++i) {
-    std::uint32_t k = start + 2 * i;
-    s.triangle.push_back({k, k + 1, k + 3});
-    s.triangle.push_back({k, k + 3, k + 2});
-  }
+  stitch_rows(s, start, kPieces + 1, 2);
 }
 
 }  // namespace

@@ -2,28 +2,18 @@
 
 #include <cstdint>
 
+#include "geometry/byte_reader.h"
+
 namespace frond {
 
 namespace {
 
-/// Numbers of a TIFF header and what follows it, in the order of bytes that it says; 0 beyond its end.
-class Tiff {
- public:
-  explicit Tiff(std::string_view bytes) : bytes_(bytes), little_(bytes.starts_with("II")) {}
-
-  std::uint32_t number(std::size_t at, std::size_t size) const {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-      std::size_t k = at + (little_ ? size - 1 - i : i);
-      value = value << 8 | (k < bytes_.size() ? static_cast<unsigned char>(bytes_[k]) : 0u);
-    }
-    return value;
-  }
-
- private:
-  std::string_view bytes_;
-  bool little_;
-};
+/// A number of a TIFF header and what follows it, in the order of bytes that it says; 0 beyond its end.
+template <class T>
+T number_at(std::string_view tiff, std::size_t at) {
+  ByteReader reader(tiff, !tiff.starts_with("II"));
+  return reader.skip(at) ? reader.read<T>().value_or(0) : T{0};
+}
 
 constexpr std::uint32_t kOrientation = 0x0112;
 constexpr std::string_view kExif("Exif\0\0", 6);  // before the TIFF header, in WebP at will
@@ -31,11 +21,10 @@ constexpr std::string_view kExif("Exif\0\0", 6);  // before the TIFF header, in 
 /// The orientation that EXIF data hold, 1..8; 1 where they hold none, or another number.
 int orientation_of(std::string_view tiff) {
   constexpr std::size_t kEntry = 12;  // bytes
-  Tiff data(tiff);
-  std::size_t first = data.number(4, 4), count = data.number(first, 2);
+  std::size_t first = number_at<std::uint32_t>(tiff, 4), count = number_at<std::uint16_t>(tiff, first);
   for (std::size_t i = 0; i < count && first + 2 + kEntry * (i + 1) <= tiff.size(); ++i)
-    if (std::size_t entry = first + 2 + kEntry * i; data.number(entry, 2) == kOrientation) {
-      auto turn = static_cast<int>(data.number(entry + 8, 2));
+    if (std::size_t entry = first + 2 + kEntry * i; number_at<std::uint16_t>(tiff, entry) == kOrientation) {
+      int turn = number_at<std::uint16_t>(tiff, entry + 8);
       return turn >= 1 && turn <= 8 ? turn : 1;
     }
   return 1;
@@ -59,8 +48,7 @@ int jpeg_turn(std::string_view bytes) {
 int webp_turn(std::string_view bytes) {
   constexpr std::size_t kHead = 8;  // bytes: the name of a chunk and its length
   for (std::size_t at = 12; at + kHead <= bytes.size();) {
-    std::size_t length = 0;
-    for (std::size_t i = kHead; i-- > 4;) length = length << 8 | static_cast<unsigned char>(bytes[at + i]);
+    std::size_t length = ByteReader(bytes.substr(at + 4)).read<std::uint32_t>().value_or(0);
     if (bytes.substr(at, 4) == "EXIF") {
       std::string_view data = bytes.substr(at + kHead, length);
       return orientation_of(data.starts_with(kExif) ? data.substr(kExif.size()) : data);

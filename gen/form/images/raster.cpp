@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 #include <png.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace frond {
 
 namespace {

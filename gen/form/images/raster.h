@@ -35,25 +35,27 @@ struct LinearRaster {
   std::vector<std::uint16_t> data;
 };
 
-/// A number per pixel, mostly 0 to 1; rows from the top down.
-struct Grid {
+/// A value per pixel; rows from the top down.
+template <class T>
+struct PixelGrid {
   int width = 0, height = 0;
-  std::vector<float> data;
+  std::vector<T> data;
 
-  Grid() = default;
-  Grid(int wide, int high) : width(wide), height(high) {
+  PixelGrid() = default;
+  PixelGrid(int wide, int high) : width(wide), height(high) {
     data.resize(static_cast<std::size_t>(wide) * static_cast<std::size_t>(high));
   }
-  float& at(int x, int y) { return data[index(x, y)]; }
-  float at(int x, int y) const { return data[index(x, y)]; }
+  T& at(int x, int y) { return data[index(x, y)]; }
+  T at(int x, int y) const { return data[index(x, y)]; }
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
   }
   /// Wraps round at the edges.
-  float wrapped(int x, int y) const {
-    return at((x % width + width) % width, (y % height + height) % height);
-  }
+  T wrapped(int x, int y) const { return at((x % width + width) % width, (y % height + height) % height); }
 };
+
+/// Numbers mostly from 0 to 1.
+using Grid = PixelGrid<float>;
 
 /// A number as a byte: 0 to 1 becomes 0 to 255, clamped.
 std::uint8_t to_byte(double value);

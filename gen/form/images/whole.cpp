@@ -2,12 +2,12 @@
 
 #include <zlib.h>
 
+#include "geometry/byte_reader.h"
+
 namespace frond {
 
 std::uint32_t big_endian_at(std::string_view bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
-  return value;
+  return ByteReader(bytes.substr(at), true).read<std::uint32_t>().value_or(0);
 }
 
 std::optional<std::array<int, 2>> whole_png(std::string_view bytes) {

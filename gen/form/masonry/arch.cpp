@@ -14,10 +14,10 @@ namespace {
 
 constexpr std::size_t kSteps = 1024;
 
-BezierJet<glm::dvec2> half_at(const Arch& arch, double t) {
+BezierJet half_at(const Arch& arch, double t) {
   std::array<glm::dvec2, 3> control{
       {{arch.length / 2, 0}, {arch.crown * arch.length, arch.height}, {0, arch.height}}};
-  return bezier_jet<glm::dvec2>(control, t);
+  return bezier_jet(control, t);
 }
 
 /// The unit vector along one half, from its foot to mid-span.

@@ -57,8 +57,7 @@ Surface block_surface(const Block& block) {
           };
           std::uint32_t a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
           if (side == 0) std::swap(b, d);
-          surface.triangle.push_back({a, b, c});
-          surface.triangle.push_back({a, c, d});
+          add_quad(surface, a, b, c, d);
         }
   }
   set_normals(surface);

@@ -113,20 +113,6 @@ void lay_balusters(const BridgeShape& shape, Bridge& bridge, const std::vector<d
   }
 }
 
-}  // namespace
-
-std::vector<double> post_stations(const Arch& arch, const BridgeShape& shape) {
-  constexpr double kMargin = 0.75, kMostMargin = 0.25;  // from the arch's feet: of a post's width; of a half
-  // The last gap of each half is half a gap, so that the spacing goes on across mid-span.
-  double margin = std::min(kMargin * shape.post, kMostMargin * half_length(arch)),
-         first = half_length(arch) - margin;
-  double gap = first / (shape.posts - 0.5);
-  std::vector<double> stations;
-  for (int i = 0; i < shape.posts; ++i) stations.push_back(-first + i * gap);
-  for (int i = shape.posts - 1; i >= 0; --i) stations.push_back(first - i * gap);
-  return stations;
-}
-
 void build_wooden(const BridgeShape& shape, Bridge& bridge, Seed seed) {
   constexpr double kBoard = 0.2, kLeastBoard = 0.3;  // of the deck's thickness
   constexpr double kThickest = 0.06;                 // metres of a board
@@ -152,6 +138,20 @@ void build_wooden(const BridgeShape& shape, Bridge& bridge, Seed seed) {
     lay_rails(shape, bridge, stations, z);
     lay_balusters(shape, bridge, stations, z);
   }
+}
+
+}  // namespace
+
+std::vector<double> post_stations(const Arch& arch, const BridgeShape& shape) {
+  constexpr double kMargin = 0.75, kMostMargin = 0.25;  // from the arch's feet: of a post's width; of a half
+  // The last gap of each half is half a gap, so that the spacing goes on across mid-span.
+  double margin = std::min(kMargin * shape.post, kMostMargin * half_length(arch)),
+         first = half_length(arch) - margin;
+  double gap = first / (shape.posts - 0.5);
+  std::vector<double> stations;
+  for (int i = 0; i < shape.posts; ++i) stations.push_back(-first + i * gap);
+  for (int i = shape.posts - 1; i >= 0; --i) stations.push_back(first - i * gap);
+  return stations;
 }
 
 Bridge build_bridge(const BridgeShape& shape, Seed seed) {

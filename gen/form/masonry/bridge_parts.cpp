@@ -58,9 +58,7 @@ BridgePiece cap_piece(Vec2 at, double head, double width) {
 }
 
 void roughen(Surface& surface, float depth, float size, Seed seed) {
-  Vec3 shift(static_cast<float>(seed.child("x").range(-99, 99)),
-             static_cast<float>(seed.child("y").range(-99, 99)),
-             static_cast<float>(seed.child("z").range(-99, 99)));
+  Vec3 shift = random_shift(seed);
   for (std::size_t i = 0; i < surface.position.size(); ++i)
     surface.position[i] += surface.normal[i] *
                            (depth * static_cast<float>(fractal_noise(surface.position[i] / size + shift, 2)));

@@ -37,7 +37,6 @@ BridgePiece cap_piece(Vec2 at, double head, double width);
 /// Displaces the surface of stones by up to `depth` with noise of the given size; metres.
 void roughen(Surface& surface, float depth, float size, Seed seed);
 
-void build_wooden(const BridgeShape& shape, Bridge& bridge, Seed seed);
 void build_stone(const BridgeShape& shape, Bridge& bridge, Seed seed);
 
 }  // namespace frond

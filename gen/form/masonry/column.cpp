@@ -157,8 +157,7 @@ Surface column_surface(const ColumnShape& shape) {
   for (std::uint32_t r = 0; r + 1 < rows; ++r)
     for (std::uint32_t k = 0; k < n; ++k) {
       std::uint32_t a = r * n + k, b = r * n + (k + 1) % n;
-      s.triangle.push_back({a, b, b + n});
-      s.triangle.push_back({a, b + n, a + n});
+      add_quad(s, a, b, b + n, a + n);
     }
   for (bool top : {false, true}) {
     std::uint32_t first = top ? (rows - 1) * n : 0, middle = static_cast<std::uint32_t>(s.position.size());

@@ -339,16 +339,12 @@ void build_core(const BridgeMason& m) {
   for (const glm::dvec3& c : columns)
     for (Vec3 p : {Vec3(c.x, c.y, -z), Vec3(c.x, c.y, z), Vec3(c.x, c.z, z), Vec3(c.x, c.z, -z)})
       surface.position.push_back(p);
-  auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-    surface.triangle.push_back({a, b, c});
-    surface.triangle.push_back({a, c, d});
-  };
   auto last = static_cast<std::uint32_t>(4 * (columns.size() - 1));
   for (std::uint32_t base = 0; base < last; base += 4)
     for (std::uint32_t k = 0; k < 4; ++k)
-      quad(base + k, base + 4 + k, base + 4 + (k + 1) % 4, base + (k + 1) % 4);
-  quad(0, 1, 2, 3);
-  quad(last, last + 3, last + 2, last + 1);
+      add_quad(surface, base + k, base + 4 + k, base + 4 + (k + 1) % 4, base + (k + 1) % 4);
+  add_quad(surface, 0, 1, 2, 3);
+  add_quad(surface, last, last + 3, last + 2, last + 1);
   set_normals(surface);
   m.add(BridgePart::core, std::move(surface), Seed{}, 0);
 }

@@ -90,18 +90,9 @@ void add_fan(const TrellisShape& s, std::vector<TrellisPart>& parts) {
 }  // namespace
 
 std::vector<TrellisPart> trellis_parts(const TrellisShape& shape) {
+  constexpr decltype(&add_wires) kAdd[] = {add_wires, add_lattice, add_fan};  // by TrellisForm
   std::vector<TrellisPart> parts;
-  switch (shape.form) {
-    case TrellisForm::wires:
-      add_wires(shape, parts);
-      break;
-    case TrellisForm::lattice:
-      add_lattice(shape, parts);
-      break;
-    case TrellisForm::fan:
-      add_fan(shape, parts);
-      break;
-  }
+  kAdd[static_cast<std::size_t>(shape.form)](shape, parts);
   return parts;
 }
 

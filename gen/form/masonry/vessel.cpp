@@ -30,7 +30,7 @@ std::vector<Station> stations(const VesselShape& shape, double scale, double rai
   std::vector<Station> list;
   double base = shape.profile.front().y;
   for (int i = 0; i <= shape.rings; ++i) {
-    auto jet = bezier_jet<glm::dvec2>(shape.profile, static_cast<double>(i) / shape.rings);
+    auto jet = bezier_jet(shape.profile, static_cast<double>(i) / shape.rings);
     glm::dvec2 slope = jet.slope * scale, bend = jet.bend * scale;
     double speed = glm::length(slope);
     if (speed < 1e-12) continue;  // a point of the curve that stands still has no direction
@@ -161,7 +161,7 @@ std::vector<glm::dvec2> inside_line(const std::vector<Station>& outside, double 
   }
   glm::dvec2 to(std::max(0.0, corner.x - std::max(round, from.y - floor)), floor);
   std::array<glm::dvec2, 3> bow{{from, corner, to}};
-  for (int i = 1; i <= 8; ++i) line.push_back(bezier_jet<glm::dvec2>(bow, i / 8.0).at);
+  for (int i = 1; i <= 8; ++i) line.push_back(bezier_jet(bow, i / 8.0).at);
   if (line.back().x > 1e-9) line.push_back({0, floor});
   line.back().x = 0;
   return line;

@@ -67,8 +67,8 @@ std::array<glm::dvec2, 4> fit(const std::vector<glm::dvec2>& line, std::size_t f
 std::array<glm::dvec2, 4> piece_of_curve(const VesselShape& shape, double from, double to, glm::dvec2 start,
                                          glm::dvec2 end) {
   std::vector<glm::dvec2> control = shape.profile;
-  while (control.size() < 4) control = bezier_raised<glm::dvec2>(control);
-  auto a = bezier_jet<glm::dvec2>(control, from), b = bezier_jet<glm::dvec2>(control, to);
+  while (control.size() < 4) control = bezier_raised(control);
+  auto a = bezier_jet(control, from), b = bezier_jet(control, to);
   double scale = (end.y - start.y) / (b.at.y - a.at.y), handle = scale * (to - from) / 3;
   return {start, start + a.slope * handle, end - b.slope * handle, end};
 }

@@ -6,7 +6,6 @@
 #include <tuple>
 
 #include "core/noise.h"
-#include "geometry/crease.h"
 
 namespace frond {
 
@@ -39,20 +38,16 @@ Surface extruded(const FaceGrid& grid, double half, double inset) {
     }
     return place->second;
   };
-  auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-    s.triangle.push_back({a, b, c});
-    s.triangle.push_back({a, c, d});
-  };
   for (std::ptrdiff_t j = 0; j < rows; ++j) {
     for (std::ptrdiff_t i = 0; i < columns; ++i) {
       if (!grid.cell(i, j)) continue;
       auto v = [&](int di, int dj, int side) { return vertex(i + di, j + dj, side); };
-      quad(v(0, 0, 1), v(1, 0, 1), v(1, 1, 1), v(0, 1, 1));
-      quad(v(1, 0, 0), v(0, 0, 0), v(0, 1, 0), v(1, 1, 0));
-      if (!grid.cell(i - 1, j)) quad(v(0, 0, 0), v(0, 0, 1), v(0, 1, 1), v(0, 1, 0));
-      if (!grid.cell(i + 1, j)) quad(v(1, 0, 1), v(1, 0, 0), v(1, 1, 0), v(1, 1, 1));
-      if (!grid.cell(i, j - 1)) quad(v(0, 0, 0), v(1, 0, 0), v(1, 0, 1), v(0, 0, 1));
-      if (!grid.cell(i, j + 1)) quad(v(0, 1, 1), v(1, 1, 1), v(1, 1, 0), v(0, 1, 0));
+      add_quad(s, v(0, 0, 1), v(1, 0, 1), v(1, 1, 1), v(0, 1, 1));
+      add_quad(s, v(1, 0, 0), v(0, 0, 0), v(0, 1, 0), v(1, 1, 0));
+      if (!grid.cell(i - 1, j)) add_quad(s, v(0, 0, 0), v(0, 0, 1), v(0, 1, 1), v(0, 1, 0));
+      if (!grid.cell(i + 1, j)) add_quad(s, v(1, 0, 1), v(1, 0, 0), v(1, 1, 0), v(1, 1, 1));
+      if (!grid.cell(i, j - 1)) add_quad(s, v(0, 0, 0), v(1, 0, 0), v(1, 0, 1), v(0, 0, 1));
+      if (!grid.cell(i, j + 1)) add_quad(s, v(0, 1, 1), v(1, 1, 1), v(1, 1, 0), v(0, 1, 0));
     }
   }
   set_normals(s);
@@ -84,13 +79,16 @@ class Joiner {
     blocks_.push_back(block);
   }
 
-  /// Four members round the hole.
+  /// Members round an opening, of which the lowest, `foot` wide, is left out where that is 0.
+  void members(double l, double r, double low, double high, double wide, double foot, double z, double deep) {
+    add(WallPart::wood, l, l + wide, low, high, z, deep);
+    add(WallPart::wood, r - wide, r, low, high, z, deep);
+    add(WallPart::wood, l + wide, r - wide, high - wide, high, z, deep);
+    add(WallPart::wood, l + wide, r - wide, low, low + foot, z, deep);
+  }
+
   void frame(double wide, double deep) {
-    auto [l, r, low, high, thickness, door] = hole_;
-    add(WallPart::wood, l, l + wide, low, high, 0, deep);
-    add(WallPart::wood, r - wide, r, low, high, 0, deep);
-    add(WallPart::wood, l + wide, r - wide, high - wide, high, 0, deep);
-    if (!door) add(WallPart::wood, l + wide, r - wide, low, low + wide, 0, deep);
+    members(hole_.left, hole_.right, hole_.low, hole_.high, wide, hole_.door ? 0 : wide, 0, deep);
   }
 
   /// A pane with its own frame and bars.
@@ -100,10 +98,7 @@ class Joiner {
     constexpr double kBar = 0.022, kBarDeep = 0.03;
     constexpr double kGlass = 0.006, kLetIn = 0.004;      // thickness; how far it reaches into the members
     constexpr double kPaneHigh = 0.42, kPaneWide = 0.46;  // between bars, about
-    add(WallPart::wood, l, l + kWide, low, high, kProud, kDeep);
-    add(WallPart::wood, r - kWide, r, low, high, kProud, kDeep);
-    add(WallPart::wood, l + kWide, r - kWide, high - kWide, high, kProud, kDeep);
-    add(WallPart::wood, l + kWide, r - kWide, low, low + kFootWide, kProud, kDeep);
+    members(l, r, low, high, kWide, kFootWide, kProud, kDeep);
     double x0 = l + kWide, x1 = r - kWide, y0 = low + kFootWide, y1 = high - kWide;
     add(WallPart::pane, x0 - kLetIn, x1 + kLetIn, y0 - kLetIn, y1 + kLetIn, 0, kGlass);
     int rows = std::max(1, static_cast<int>(std::lround((y1 - y0) / kPaneHigh)));
@@ -213,8 +208,7 @@ Surface worn_block(Vec3 size, double wear, Seed seed) {
     for (std::size_t u = 0; u + 1 < nu; ++u)
       for (std::size_t v = 0; v + 1 < nv; ++v) {
         std::uint32_t a = corner(u, v), b = corner(u + 1, v), c = corner(u + 1, v + 1), d = corner(u, v + 1);
-        s.triangle.push_back({a, b, c});
-        s.triangle.push_back({a, c, d});
+        add_quad(s, a, b, c, d);
       }
   };
   std::size_t nx = xs.size(), ny = ys.size(), nz = zs.size();

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include "core/keep.h"
 
 namespace frond {
 
@@ -53,14 +53,7 @@ std::string check_blades(const Model& model) {
 }  // namespace
 
 void Organs::reserve(std::size_t count) {
-  prototype.reserve(count);
-  position.reserve(count);
-  turn.reserve(count);
-  scale.reserve(count);
-  node.reserve(count);
-  birth.reserve(count);
-  color.reserve(count);
-  id.reserve(count);
+  reserve_all(count, prototype, position, turn, scale, node, birth, color, id);
 }
 
 std::string Model::find_fault() const {

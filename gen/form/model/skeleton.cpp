@@ -6,16 +6,12 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/keep.h"
+
 namespace frond {
 
 void Skeleton::reserve(std::size_t nodes) {
-  position.reserve(nodes);
-  radius.reserve(nodes);
-  parent.reserve(nodes);
-  distance.reserve(nodes);
-  to_tip.reserve(nodes);
-  birth.reserve(nodes);
-  order.reserve(nodes);
+  reserve_all(nodes, position, radius, parent, distance, to_tip, birth, order);
 }
 
 std::int32_t Skeleton::add(Vec3 at, float thickness, std::int32_t below, std::uint16_t depth) {
@@ -53,6 +49,12 @@ std::string Skeleton::find_fault() const {
       return fmt::format("node {} is born before its parent {}", i, parent[i]);
   }
   return {};
+}
+
+std::int32_t chain_end(const Skeleton& s, std::int32_t first) {
+  auto n = static_cast<std::int32_t>(s.size());
+  while (first + 1 < n && s.parent[first + 1] == first) ++first;
+  return first;
 }
 
 void set_distances(Skeleton& s) {

@@ -35,6 +35,9 @@ struct Skeleton {
   std::string find_fault() const;
 };
 
+/// The last node of the chain that begins at `first`.
+std::int32_t chain_end(const Skeleton& skeleton, std::int32_t first);
+
 /// Sets each node's distance: its length along the branches from the root.
 void set_distances(Skeleton& skeleton);
 

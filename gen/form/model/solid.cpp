@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/curve.h"
-
 namespace frond {
 
 std::uint16_t Solids::add_shape(Solid solid) {

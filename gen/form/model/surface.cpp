@@ -39,43 +39,49 @@ void append_paint(Surface& to, const Surface& more) {
 
 }  // namespace
 
-void append(Surface& to, const Surface& more) {
-  assert(to.position.empty() || to.uv.empty() == more.uv.empty());
-  auto offset = static_cast<std::uint32_t>(to.position.size());
-  to.position.insert(to.position.end(), more.position.begin(), more.position.end());
-  to.normal.insert(to.normal.end(), more.normal.begin(), more.normal.end());
+void append_faces(Surface& to, const Surface& more, std::size_t first) {
+  auto offset = static_cast<std::uint32_t>(first);
   to.uv.insert(to.uv.end(), more.uv.begin(), more.uv.end());
   append_paint(to, more);
   for (auto [a, b, c] : more.triangle) to.triangle.push_back({a + offset, b + offset, c + offset});
+}
+
+void append(Surface& to, const Surface& more) {
+  assert(to.position.empty() || to.uv.empty() == more.uv.empty());
+  std::size_t first = to.position.size();
+  to.position.insert(to.position.end(), more.position.begin(), more.position.end());
+  to.normal.insert(to.normal.end(), more.normal.begin(), more.normal.end());
+  append_faces(to, more, first);
 }
 
 void append_placed(Surface& to, const Surface& more, Vec3 at, Quat turn, Vec3 scale) {
   assert(scale.x > 0 && scale.y > 0 && scale.z > 0);
   assert(std::abs(glm::length(turn) - 1) < 1e-3f);
   assert(more.normal.size() == more.position.size());
-  auto offset = static_cast<std::uint32_t>(to.position.size());
-  for (const Vec3& p : more.position) to.position.push_back(at + turn * (p * scale));
-  for (const Vec3& n : more.normal) to.normal.push_back(glm::normalize(turn * (n / scale)));
-  to.uv.insert(to.uv.end(), more.uv.begin(), more.uv.end());
-  append_paint(to, more);
-  for (auto [a, b, c] : more.triangle) to.triangle.push_back({a + offset, b + offset, c + offset});
+  append_mapped(
+      to, more, [&](Vec3 p) { return at + turn * (p * scale); },
+      [&](Vec3 n) { return glm::normalize(turn * (n / scale)); });
+}
+
+void stitch_rows(Surface& surface, std::uint32_t start, std::uint32_t rows, std::uint32_t columns) {
+  for (std::uint32_t r = 0; r + 1 < rows; ++r)
+    for (std::uint32_t c = 0; c + 1 < columns; ++c) {
+      std::uint32_t i = start + r * columns + c;
+      add_quad(surface, i, i + 1, i + columns + 1, i + columns);
+    }
 }
 
 double area(const Surface& s) {
   double sum = 0;
-  for (auto [a, b, c] : s.triangle)
-    sum += 0.5 * glm::length(glm::cross(s.position[b] - s.position[a], s.position[c] - s.position[a]));
+  for (const auto& triangle : s.triangle) sum += 0.5 * glm::length(area_of(s, triangle));
   return sum;
 }
 
 void set_normals(Surface& surface) {
   surface.normal.assign(surface.position.size(), Vec3(0));
-  for (auto [a, b, c] : surface.triangle) {
-    const Vec3& p = surface.position[a];
-    Vec3 area = glm::cross(surface.position[b] - p, surface.position[c] - p);
-    surface.normal[a] += area;
-    surface.normal[b] += area;
-    surface.normal[c] += area;
+  for (const auto& triangle : surface.triangle) {
+    Vec3 area = area_of(surface, triangle);
+    for (std::uint32_t corner : triangle) surface.normal[corner] += area;
   }
   for (Vec3& n : surface.normal) {
     float length = glm::length(n);

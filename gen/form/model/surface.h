@@ -28,6 +28,26 @@ struct Surface {
 /// The paint of a corner without any.
 inline constexpr Vec3 kUnpainted{std::numeric_limits<float>::quiet_NaN()};
 
+/// The area vector of a triangle, twice as long as the triangle is large.
+inline Vec3 area_of(const Surface& s, const std::array<std::uint32_t, 3>& triangle) {
+  auto [a, b, c] = triangle;
+  return glm::cross(s.position[b] - s.position[a], s.position[c] - s.position[a]);
+}
+
+/// Adds a face of four corners as two triangles, cut from a to c.
+inline void add_quad(Surface& s, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+  s.triangle.push_back({a, b, c});
+  s.triangle.push_back({a, c, d});
+}
+
+/// Adds the faces between rows of vertices, from `start` on, counter-clockwise seen from where each row runs
+/// to the right and the next one is above it.
+void stitch_rows(Surface& surface, std::uint32_t start, std::uint32_t rows, std::uint32_t columns);
+
+/// Appends a mesh with its places and normals mapped; both have `uv` or neither, unless the target is empty.
+template <class Place, class Normal>
+void append_mapped(Surface& to, const Surface& more, const Place& place, const Normal& normal);
+
 /// Appends a mesh; both have `uv` or neither, unless the target is empty.
 void append(Surface& to, const Surface& more);
 
@@ -40,5 +60,16 @@ double area(const Surface& surface);
 
 /// Sets the normals from the triangles, weighted by area.
 void set_normals(Surface& surface);
+
+/// Appends all of a mesh but its places and normals; `first` is the number that its first vertex has now.
+void append_faces(Surface& to, const Surface& more, std::size_t first);
+
+template <class Place, class Normal>
+void append_mapped(Surface& to, const Surface& more, const Place& place, const Normal& normal) {
+  std::size_t first = to.position.size();
+  for (const Vec3& p : more.position) to.position.push_back(place(p));
+  for (const Vec3& n : more.normal) to.normal.push_back(normal(n));
+  append_faces(to, more, first);
+}
 
 }  // namespace frond

@@ -28,12 +28,13 @@ Vec3 pressed(Vec3 segment, float low, Vec3 side) {
   return flat * (std::sqrt(length * length - up * up) / level) + Vec3(0, up, 0);
 }
 
-}  // namespace
-
+/// The sum of the moments at an angle, N m.
 double moment_at(const Overturning& body, double angle) {
   double roots = body.excess + body.weight * std::sin(body.balance);
   return body.weight * std::sin(angle - body.balance) + roots * std::max(0.0, 1 - angle / body.torn);
 }
+
+}  // namespace
 
 std::vector<float> course_of(const Overturning& body) {
   assert(body.inertia > 0 && body.torn > 0 && body.stop >= 0);

@@ -23,9 +23,6 @@ struct Overturning {
   double stop = kPi / 2;  ///< radians, where it hits the ground
 };
 
-/// The sum of the moments at an angle, N m.
-double moment_at(const Overturning& body, double angle);
-
 inline constexpr double kFallStep = 1.0 / 120;  ///< seconds between the angles of a course
 
 /// The angle at each step from rest until it is at rest again: inertia x angle'' = moment_at(angle), by Runge

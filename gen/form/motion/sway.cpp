@@ -12,7 +12,6 @@ namespace frond {
 
 namespace {
 
-constexpr double kWeight = 9.81;  // m/s2
 // Standing trees are softer than clear pieces of their wood: knots, and roots that yield. So much of it is
 // left that conifers swing as fast as Moore and Maguire (2004) have measured.
 constexpr double kStanding = 0.45;
@@ -111,7 +110,7 @@ class SwayMaker {
       Beam& b = beam_[i];
       bool same = same_limb(i);
       float down = std::max(rest_.position[p].y - rest_.position[i].y, 0.0f);
-      float sag = b.moment * b.flex * static_cast<float>(kWeight);
+      float sag = b.moment * b.flex * static_cast<float>(kGravity);
       b.righting = b.length > 0 ? sag * down / b.length : 0;
       float tilt_p = same ? tilt[p] : 0, slope_p = same ? slope[p] : 0, y_p = same ? y_[p] : 0;
       tilt[i] = (tilt_p + b.drag * b.flex) / (1 + b.righting);
@@ -120,7 +119,7 @@ class SwayMaker {
       y_[i] = y_p + b.length * (slope_p + slope[i]) / 2;
       Sums& of = sums[static_cast<std::size_t>(out_.limb[i])];
       double y = y_[i];
-      of.work += kWeight * mass_[i] * y, of.inertia += mass_[i] * y * y, of.drag += area_[i] * y * y;
+      of.work += kGravity * mass_[i] * y, of.inertia += mass_[i] * y * y, of.drag += area_[i] * y * y;
     }
     for (std::size_t k = 0; k < sums.size(); ++k)
       out_.limbs[k].mode = mode_of(sums[k].work, sums[k].inertia, sums[k].drag);

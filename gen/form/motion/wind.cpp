@@ -1,6 +1,5 @@
 #include "motion/wind.h"
 
-#include <cassert>
 #include <cmath>
 
 #include "core/loop.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numeric>
 
+#include "core/joined_sets.h"
 #include "core/noise.h"
 #include "core/parallel.h"
 
@@ -90,9 +90,7 @@ double recess(const Vec3& p, const Vec3& up, double thickness, double size, Vec3
 void wear(Surface& rock, const RockShape& shape, Seed seed) {
   assert(rock.normal.size() == rock.position.size());
   const Weathering& w = shape.weathering;
-  Vec3 shift(static_cast<float>(seed.child("x").range(-50, 50)),
-             static_cast<float>(seed.child("y").range(-50, 50)),
-             static_cast<float>(seed.child("z").range(-50, 50)));
+  Vec3 shift = random_shift(seed, 50);
   double toward = seed.child("dip").range(0, 2 * kPi), sine = std::sin(w.dip);
   Vec3 up(static_cast<float>(sine * std::cos(toward)), static_cast<float>(std::cos(w.dip)),
           static_cast<float>(sine * std::sin(toward)));
@@ -135,19 +133,10 @@ bool weathered(const Weathering& w) {
 }  // namespace
 
 int count_pieces(const Surface& surface) {
-  std::vector<std::uint32_t> above(surface.position.size());
-  std::iota(above.begin(), above.end(), 0u);
-  auto root = [&](std::uint32_t v) {
-    while (above[v] != v) v = above[v] = above[above[v]];
-    return v;
-  };
-  for (auto [a, b, c] : surface.triangle) {
-    assert(a < above.size() && b < above.size() && c < above.size());
-    above[root(a)] = root(b);
-    above[root(b)] = root(c);
-  }
+  JoinedSets joined(surface.position.size());
+  for (auto [a, b, c] : surface.triangle) joined.join(a, b), joined.join(b, c);
   int pieces = 0;
-  for (std::uint32_t v = 0; v < above.size(); ++v) pieces += above[v] == v;
+  for (std::uint32_t v = 0; v < surface.position.size(); ++v) pieces += joined.top(v) == v;
   return pieces;
 }
 

@@ -28,8 +28,7 @@ Surface icosphere(int detail) {
     for (std::uint32_t b = a + 1; b < 12; ++b)
       for (std::uint32_t c = b + 1; c < 12; ++c) {
         if (!near(a, b) || !near(b, c) || !near(c, a)) continue;
-        Vec3 n = glm::cross(s.position[b] - s.position[a], s.position[c] - s.position[a]);
-        if (glm::dot(n, s.position[a]) > 0)
+        if (glm::dot(area_of(s, {a, b, c}), s.position[a]) > 0)
           s.triangle.push_back({a, b, c});
         else
           s.triangle.push_back({a, c, b});
@@ -56,9 +55,7 @@ Surface icosphere(int detail) {
 
 Vec3 stone_surface_point(const Stone& stone, Vec3 direction) {
   Vec3 d = glm::normalize(direction);
-  Vec3 shift(static_cast<float>(stone.seed.child("x").range(-99, 99)),
-             static_cast<float>(stone.seed.child("y").range(-99, 99)),
-             static_cast<float>(stone.seed.child("z").range(-99, 99)));
+  Vec3 shift = random_shift(stone.seed);
   double lumps = fractal_noise(d * 0.8f + shift, 2), grain = fractal_noise(d * 2.7f + shift * 1.7f, 2);
   double radius = 0.5 * (1 + stone.roughness * (0.55 * lumps + 0.17 * grain));
   return d * static_cast<float>(radius) * Vec3(1, static_cast<float>(1 - stone.flatness), 1);

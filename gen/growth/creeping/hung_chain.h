@@ -7,8 +7,6 @@
 
 namespace frond {
 
-inline constexpr double kGravity = 9.81;  ///< m/s2
-
 /// A hanging strand at rest, about to be moved by the air. Its weight per metre does not matter.
 struct HungStrand {
   DVec3 root{0};                 ///< what holds its upper end

@@ -10,7 +10,6 @@ namespace frond {
 
 namespace {
 
-constexpr float kGravity = 9.81f;
 constexpr float kMostBend = 0.5f;  // radians that one internode may sag
 
 /// Forces above a place, with their moments about the origin.
@@ -39,7 +38,7 @@ Load load_of(Vec3 from, Vec3 to, float height, float radius, float leaf_area, co
   float level = std::sqrt(offset.x * offset.x + offset.z * offset.z);
   mass += static_cast<float>(weather.snow) * (2 * radius * level + kSunlit * leaf_area);
   Load load;
-  load.add(Vec3(0, -mass * kGravity, 0), middle);
+  load.add(Vec3(0, -mass * static_cast<float>(kGravity), 0), middle);
   float speed = glm::length(weather.wind);
   if (speed > 0) {
     float across = glm::length(glm::cross(offset, weather.wind)) / speed;

@@ -164,7 +164,7 @@ class Library {
     float reach = 0.7f * height;
     double rise = heights_(life.x + reach * toward.x, life.z + reach * toward.z) - heights_(life.x, life.z);
     // A slender pole, for each kg of it.
-    double weight = 9.81 * height / 2;
+    double weight = kGravity * height / 2;
     fall.course =
         course_of({height * height / 3, weight, 0.02, 0.02 * weight, 0.3, kPi / 2 - std::atan2(rise, reach)});
     return std::make_shared<const Fall>(std::move(fall));

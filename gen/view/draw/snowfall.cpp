@@ -221,12 +221,11 @@ class Powder {
     constexpr double kPuffSize = 0.05, kWidens = 0.22;         // a second
     constexpr double kPuffCover = 0.16, kClumpCover = 0.8;     // of its disc
     constexpr double kComes = 0.1, kFades = 0.3;               // the latter a share of a clump's life
-    constexpr double kFreeFall = 9.81;                         // m/s2
     double life = puff ? own.child(2).range(1.2, 2.6) : kClumpLife;
     if (since >= life) return;
     // It falls freely at first, and ever less faster, up to a speed at which the air holds it.
     double held = puff ? own.child(3).range(0.5, 1.3) : own.child(3).range(1.5, 4);
-    double lag = held / kFreeFall, eased = since - lag * (1 - std::exp(-since / lag));
+    double lag = held / kGravity, eased = since - lag * (1 - std::exp(-since / lag));
     auto aside = [&](std::uint64_t k) { return static_cast<float>(own.child(k).normal()); };
     Vec3 spread = (puff ? kPuffSpread : kClumpSpread) * Vec3(aside(4), 0.5f * aside(5), aside(6));
     Vec3 drift = static_cast<float>(kLowWind * flurry_.wind.speed *

@@ -10,7 +10,6 @@ namespace frond {
 
 namespace {
 
-constexpr double kEarthPull = 9.81;
 constexpr double kTorn = 0.3;        // radians, at which the last roots break
 constexpr double kLeastPush = 0.01;  // of what the roots hold: by so much the gust passes it at least
 constexpr double kSudden = 2;        // times the weight, of a load that is put on at once
@@ -133,7 +132,7 @@ Overturning overturning_of(const Standing& now, const GrownTree& tree, const Spe
     body.inertia += m * static_cast<double>(glm::dot(at, at));
   }
   body.inertia = std::max(body.inertia, 1e-6);
-  body.weight = kEarthPull * std::hypot(along, above) * turning.up().y;
+  body.weight = kGravity * std::hypot(along, above) * turning.up().y;
   body.balance = std::atan2(above, along) - kPi / 2;
   double hold = tree.uprooting.hold;
   body.excess = std::max(tree.uprooting.moment - hold, kLeastPush * hold);
