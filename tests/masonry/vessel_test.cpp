@@ -182,7 +182,7 @@ TEST(Vessel, SpansFollowTheOutlineAndTheCurveExactly) {
         EXPECT_EQ(spans[i][0], spans[i - 1][3]);
       }
       for (double t : {0.25, 0.5, 0.75}) {
-        glm::dvec2 p = bezier_jet<glm::dvec2>(spans[i], t).at;
+        glm::dvec2 p = bezier_jet(spans[i], t).at;
         double nearest = 1e9;
         for (std::size_t k = 1; k < profile.outline.size(); ++k) {
           glm::dvec2 a = profile.outline[k - 1], way = profile.outline[k] - a;
@@ -199,11 +199,11 @@ TEST(Vessel, SpansFollowTheOutlineAndTheCurveExactly) {
       return a[3].y - a[0].y < b[3].y - b[0].y;
     });
     for (double t : {0.2, 0.5, 0.9}) {
-      glm::dvec2 p = bezier_jet<glm::dvec2>(*longest, t).at;
+      glm::dvec2 p = bezier_jet(*longest, t).at;
       double nearest = 1e9;
       for (int k = 0; k <= 20000; ++k) {
         glm::dvec2 q =
-            bezier_jet<glm::dvec2>(shape.profile, k / 20000.0).at * scale + glm::dvec2(0, shape.foot);
+            bezier_jet(shape.profile, k / 20000.0).at * scale + glm::dvec2(0, shape.foot);
         nearest = std::min(nearest, glm::distance(p, q));
       }
       EXPECT_LT(nearest, 1.5e-5) << count;

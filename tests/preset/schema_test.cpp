@@ -53,7 +53,7 @@ TEST(Schema, TheSameTextTwice) {
 }
 
 TEST(Schema, DefaultsMayBeOfAnyKind) {
-  Value defaults = SchemaWriter::defaults_of<reef::Organism>(reef::kKinds);
+  Value defaults = SchemaWriter::defaults_of(slot_type<reef::Organism>, reef::kKinds);
   EXPECT_FALSE(defaults.find("required"));
   EXPECT_TRUE(defaults.find("properties")->find("rules"));
   EXPECT_EQ(defaults.find("properties")->find("size")->find("anyOf")->items.size(), 2u)

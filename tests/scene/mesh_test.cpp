@@ -9,7 +9,7 @@
 #include "core/files.h"
 #include "creeping/triangle_surface.h"
 #include "images/raster.h"
-#include "model/barred.h"
+#include "model/surface.h"
 #include "scene/scene.h"
 
 namespace frond {

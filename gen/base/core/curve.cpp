@@ -106,8 +106,7 @@ template <class T>
 T Animated<T>::at(double time) const {
   if (time <= keys_.front().time) return keys_.front().value;
   if (time >= keys_.back().time) return keys_.back().value;
-  auto after = std::upper_bound(keys_.begin(), keys_.end(), time,
-                                [](double v, const Key& key) { return v < key.time; });
+  auto after = std::ranges::upper_bound(keys_, time, {}, &Key::time);
   auto before = std::prev(after);
   double width = after->time - before->time;
   if (before->ease || before->handled() || after->handled())
@@ -122,9 +121,7 @@ T Animated<T>::at(double time) const {
 }
 
 double highest(const Animated<double>& value) {
-  double most = value.keys().front().value;
-  for (const auto& key : value.keys()) most = std::max(most, key.value);
-  return most;
+  return std::ranges::max(value.keys(), {}, &Animated<double>::Key::value).value;
 }
 
 template class Animated<double>;

@@ -23,10 +23,6 @@ class SchemaWriter : public Properties {
 
   /// The schema of the defaults behind a list of these kinds: properties of any kind, none required.
   static Value defaults_of(const SlotType& one, const KindTable& kinds);
-  template <class T>
-  static Value defaults_of(const KindTable& kinds) {
-    return defaults_of(slot_type<T>, kinds);
-  }
 
   // The properties, see describe.h.
 

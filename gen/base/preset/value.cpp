@@ -36,16 +36,39 @@ void Value::remove(std::string_view name) {
   std::erase_if(members, [&](const Member& member) { return member.name == name; });
 }
 
-Value make_boolean(bool boolean) { return {.type = Value::Type::boolean, .boolean = boolean}; }
+Value make_boolean(bool boolean) {
+  Value value;
+  value.type = Value::Type::boolean;
+  value.boolean = boolean;
+  return value;
+}
 
-Value make_number(double number) { return {.type = Value::Type::number, .number = number}; }
+Value make_number(double number) {
+  Value value;
+  value.type = Value::Type::number;
+  value.number = number;
+  return value;
+}
 
-Value make_text(std::string_view text) { return {.type = Value::Type::text, .text = std::string(text)}; }
+Value make_text(std::string_view text) {
+  Value value;
+  value.type = Value::Type::text;
+  value.text = text;
+  return value;
+}
 
-Value make_list(std::vector<Value> items) { return {.type = Value::Type::list, .items = std::move(items)}; }
+Value make_list(std::vector<Value> items) {
+  Value value;
+  value.type = Value::Type::list;
+  value.items = std::move(items);
+  return value;
+}
 
 Value make_object(std::vector<Member> members) {
-  return {.type = Value::Type::object, .members = std::move(members)};
+  Value value;
+  value.type = Value::Type::object;
+  value.members = std::move(members);
+  return value;
 }
 
 std::string found_text(const Value& value) {

@@ -29,13 +29,13 @@ struct Value {
 
   Type type = Type::null;
   bool boolean = false;
-  bool integer = false;           ///< of a number: written without fraction and exponent
-  bool inherited = false;         ///< merge() took it from the defaults
-  double number = 0;              ///< always finite
-  std::string text{};             ///< UTF-8
-  std::vector<Value> items{};     ///< elements of a list
-  std::vector<Member> members{};  ///< of an object; names are unique
-  Origin origin{};
+  bool integer = false;         ///< of a number: written without fraction and exponent
+  bool inherited = false;       ///< merge() took it from the defaults
+  double number = 0;            ///< always finite
+  std::string text;             ///< UTF-8
+  std::vector<Value> items;     ///< elements of a list
+  std::vector<Member> members;  ///< of an object; names are unique
+  Origin origin;
 
   bool is(Type other) const { return type == other; }
 

@@ -19,6 +19,8 @@ constexpr std::uint64_t kCounted = 16;     // one block in so many is counted
 struct Near {
   std::uint64_t key;
   std::uint32_t item;
+
+  auto operator<=>(const Near&) const = default;
 };
 
 std::int32_t block_of(float place, float side) { return static_cast<std::int32_t>(std::floor(place / side)); }
@@ -81,8 +83,7 @@ void visit_fork(const BranchVolume& boughs, std::uint32_t f, float voxel, float 
 
 /// One list of blocks from what all parts found for it.
 BlockList list_from(std::vector<Near>& found) {
-  std::sort(found.begin(), found.end(),
-            [](const Near& a, const Near& b) { return a.key != b.key ? a.key < b.key : a.item < b.item; });
+  std::ranges::sort(found);
   BlockList list;
   list.item.reserve(found.size());
   for (const Near& near : found) {
@@ -177,8 +178,7 @@ Blocks gather_blocks(const BranchVolume& boughs, float voxel, float band) {
 FoundBlock find_block(const Blocks& blocks, Cell voxel) {
   std::uint64_t key = block_key(voxel);
   const BlockList& list = blocks.lists[list_of(key)];
-  auto at = std::lower_bound(list.blocks.begin(), list.blocks.end(), key,
-                             [](const VoxelBlock& block, std::uint64_t k) { return block.key < k; });
+  auto at = std::ranges::lower_bound(list.blocks, key, {}, &VoxelBlock::key);
   if (at == list.blocks.end() || at->key != key) return {};
   return {&list, &*at};
 }

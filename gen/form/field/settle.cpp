@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
-#include <tuple>
+#include <compare>
 
 #include "core/parallel.h"
 
@@ -23,6 +23,8 @@ static_assert(kShared <= 2 * kMost, "what is near a vertex is only found so far"
 struct Placed {
   std::uint64_t block;
   std::uint32_t part, eighth, vertex;
+
+  auto operator<=>(const Placed&) const = default;
 };
 
 /// Which of the eight halves in each direction a voxel is in, where those are `bit` wide.
@@ -94,9 +96,7 @@ class NearFinder {
       Cell cell = voxel_at(position_[v], blocks_.voxel);
       own.push_back({block_key(cell), octant(cell, 2), octant(cell, 1), static_cast<std::uint32_t>(v)});
     }
-    std::sort(own.begin(), own.end(), [](const Placed& a, const Placed& b) {
-      return std::tie(a.block, a.part, a.eighth, a.vertex) < std::tie(b.block, b.part, b.eighth, b.vertex);
-    });
+    std::ranges::sort(own);
     for (std::size_t i = 0; i < own.size(); ++i) {
       go_to(own[i], i == 0 ? nullptr : &own[i - 1]);
       if (!near_.cones.empty()) visit(near_, own[i].vertex);

@@ -149,6 +149,12 @@ void add_pinna(Surface& s, const StemStation& from, double length, double width,
   }
 }
 
+/// A leaflet with that many lobes on either side, which is whole without any.
+void add_parted(Surface& s, const StemStation& from, double length, double width, double droop, int lobes) {
+  if (lobes > 0) return add_pinna(s, from, length, width, droop, lobes);
+  add_leaflet(s, from, length, width, droop);
+}
+
 void append_shaped(Surface& to, const Surface& from, const glm::mat3& turn, Vec3 shift) {
   glm::mat3 normals = turn / std::cbrt(std::max(std::abs(glm::determinant(turn)), 1e-20f));
   append_mapped(
@@ -180,10 +186,7 @@ Surface leaflets_surface(std::span<const LeafletPlace> places, double width, int
     foot.across = turned(glm::normalize(across), place.along, place.twist);
     foot.up = glm::cross(foot.across, foot.along);
     auto length = static_cast<double>(place.length);
-    if (lobes > 0)
-      add_pinna(leaflets, foot, length, width * length, place.droop, lobes);
-    else
-      add_leaflet(leaflets, foot, length, width * length, place.droop);
+    add_parted(leaflets, foot, length, width * length, place.droop, lobes);
   }
   set_normals(leaflets);
   return leaflets;
@@ -225,11 +228,9 @@ TwigParts frond_foliage(const FrondShape& shape, Seed seed) {
           turned(leaflet.across, leaflet.along, radians(kVaries.twist) * own.child(4).range(-1, 1));
       leaflet.up = glm::normalize(glm::cross(leaflet.across, leaflet.along));
       double droop = shape.droop * (1 + kVaries.droop * own.child(5).range(-1, 1));
-      if (shape.lobes > 0)
-        add_pinna(frond.blades, leaflet, length, std::min(kWideLobed * spacing, kMostWideLobed * length),
-                  droop, shape.lobes);
-      else
-        add_leaflet(frond.blades, leaflet, length, std::min(kWide * spacing, kMostWide * length), droop);
+      double wide = shape.lobes > 0 ? std::min(kWideLobed * spacing, kMostWideLobed * length)
+                                    : std::min(kWide * spacing, kMostWide * length);
+      add_parted(frond.blades, leaflet, length, wide, droop, shape.lobes);
     }
   }
   // One leaflet ends the frond.

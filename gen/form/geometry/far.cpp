@@ -38,17 +38,13 @@ std::vector<Piece> measured(const Surface& s, const Pieces& pieces, bool whole) 
 }
 
 std::uint32_t farthest(const Surface& s, const Piece& piece, Vec3 from) {
-  return *std::max_element(piece.vertices.begin(), piece.vertices.end(),
-                           [&](std::uint32_t a, std::uint32_t b) {
-                             return glm::distance(s.position[a], from) < glm::distance(s.position[b], from);
-                           });
+  return *std::ranges::max_element(piece.vertices, {},
+                                   [&](std::uint32_t v) { return glm::distance(s.position[v], from); });
 }
 
 std::uint32_t outermost(const Surface& s, const Piece& piece, Vec3 toward) {
-  return *std::max_element(piece.vertices.begin(), piece.vertices.end(),
-                           [&](std::uint32_t a, std::uint32_t b) {
-                             return glm::dot(s.position[a], toward) < glm::dot(s.position[b], toward);
-                           });
+  return *std::ranges::max_element(piece.vertices, {},
+                                   [&](std::uint32_t v) { return glm::dot(s.position[v], toward); });
 }
 
 /// `stands_for`: so many times its area it has.
@@ -182,8 +178,7 @@ Surface one_far_leaf(const Surface& surface, const Pieces& pieces, FarLeaf as) {
   add_leaf(out, surface, measured(surface, pieces, true)[0], as);
   if (out.uv.empty()) return out;
   std::vector<Piece> list = measured(surface, pieces, false);
-  const Piece& largest = *std::max_element(list.begin(), list.end(),
-                                           [](const Piece& a, const Piece& b) { return a.area < b.area; });
+  const Piece& largest = *std::ranges::max_element(list, {}, &Piece::area);
   std::fill(out.uv.begin(), out.uv.end(), largest.uv / std::max(largest.area, 1e-12f));
   return out;
 }

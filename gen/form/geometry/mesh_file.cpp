@@ -6,7 +6,6 @@
 
 #include "core/text.h"
 #include "geometry/mesh_formats.h"
-#include "geometry/mtl.h"
 #include "geometry/obj.h"
 
 namespace frond {

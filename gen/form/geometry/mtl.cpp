@@ -1,5 +1,3 @@
-#include "geometry/mtl.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include "core/files.h"
 #include "core/printable.h"
 #include "core/text.h"
+#include "geometry/mesh_formats.h"
 #include "geometry/text_lines.h"
 
 namespace frond {

@@ -18,7 +18,7 @@ struct Surface {
   std::vector<std::array<std::uint32_t, 3>> triangle;
   std::vector<Vec2> uv;  ///< texture coordinates of each vertex; may be empty
   /// For each corner of each triangle what masks find there: texture coordinates u and v (v upward) and a
-  /// grey 0..1, NaN where it has none, below 0 where nothing may creep (model/barred.h); may be empty.
+  /// grey 0..1, NaN where it has none, below 0 where nothing may creep (kBarred); may be empty.
   std::vector<std::array<Vec3, 3>> paint{};
 
   /// Checks all invariants: one line for the first violation, empty if there is none.
@@ -27,6 +27,8 @@ struct Surface {
 
 /// The paint of a corner without any.
 inline constexpr Vec3 kUnpainted{std::numeric_limits<float>::quiet_NaN()};
+/// The grey where nothing may creep; anything below 0 says so.
+inline constexpr float kBarred = -1;
 
 /// The area vector of a triangle, twice as long as the triangle is large.
 inline Vec3 area_of(const Surface& s, const std::array<std::uint32_t, 3>& triangle) {

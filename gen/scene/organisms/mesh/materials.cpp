@@ -8,7 +8,6 @@
 
 #include "core/content.h"
 #include "images/read_picture.h"
-#include "model/barred.h"
 #include "organisms/mesh/mesh.h"
 
 namespace frond {
