@@ -1,4 +1,4 @@
-#include "geometry/bends.h"
+#include "geometry/far.h"
 
 #include <gtest/gtest.h>
 

@@ -202,8 +202,7 @@ TEST(Vessel, SpansFollowTheOutlineAndTheCurveExactly) {
       glm::dvec2 p = bezier_jet(*longest, t).at;
       double nearest = 1e9;
       for (int k = 0; k <= 20000; ++k) {
-        glm::dvec2 q =
-            bezier_jet(shape.profile, k / 20000.0).at * scale + glm::dvec2(0, shape.foot);
+        glm::dvec2 q = bezier_jet(shape.profile, k / 20000.0).at * scale + glm::dvec2(0, shape.foot);
         nearest = std::min(nearest, glm::distance(p, q));
       }
       EXPECT_LT(nearest, 1.5e-5) << count;

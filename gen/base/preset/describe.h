@@ -7,6 +7,7 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "core/function_ref.h"
 #include "core/result.h"
@@ -126,15 +127,42 @@ struct FileName;
 struct NamedFile;
 struct Value;
 
-/// The table of an enum, whichever it is of.
-class ChoiceTable {
+/// Rows of a table with a name and a doc each, whatever they are.
+class NamedRows {
  public:
   template <class Table>
-  ChoiceTable(const Table& table) : rows_(std::data(table)), size_(std::size(table)) {
+  explicit NamedRows(const Table& table) : rows_(std::data(table)), size_(std::size(table)) {
+    using Row = std::remove_cvref_t<decltype(*std::data(table))>;
+    row_ = [](const void* rows, std::size_t i) -> std::pair<std::string_view, std::string_view> {
+      const Row& row = static_cast<const Row*>(rows)[i];
+      return {row.name, row.doc};
+    };
+  }
+
+  std::size_t size() const { return size_; }
+  std::string_view name(std::size_t i) const { return row_(rows_, i).first; }
+  std::string_view doc(std::size_t i) const { return row_(rows_, i).second; }
+  std::vector<std::string_view> names() const {
+    std::vector<std::string_view> all;
+    for (std::size_t i = 0; i < size_; ++i) all.push_back(name(i));
+    return all;
+  }
+
+ protected:
+  const void* rows_;
+
+ private:
+  std::size_t size_;
+  std::pair<std::string_view, std::string_view> (*row_)(const void*, std::size_t);
+};
+
+/// The table of an enum, whichever it is of.
+class ChoiceTable : public NamedRows {
+ public:
+  template <class Table>
+  ChoiceTable(const Table& table) : NamedRows(table) {
     using Row = std::remove_cvref_t<decltype(*std::data(table))>;
     using Enum = decltype(Row::value);
-    name_ = [](const void* rows, std::size_t i) { return static_cast<const Row*>(rows)[i].name; };
-    doc_ = [](const void* rows, std::size_t i) { return static_cast<const Row*>(rows)[i].doc; };
     is_ = [](const void* rows, std::size_t i, const void* e) {
       return static_cast<const Row*>(rows)[i].value == *static_cast<const Enum*>(e);
     };
@@ -143,18 +171,16 @@ class ChoiceTable {
     };
   }
 
-  std::size_t size() const { return size_; }
-  std::string_view name(std::size_t i) const { return name_(rows_, i); }
-  std::string_view doc(std::size_t i) const { return doc_(rows_, i); }
-  /// Whether a value is that of the row.
-  bool is(std::size_t i, Slot e) const { return is_(rows_, i, e.at); }
+  /// The name of a value; empty where it is that of no row.
+  std::string_view name_of(Slot e) const {
+    std::string_view found;
+    for (std::size_t i = 0; i < size(); ++i)
+      if (is_(rows_, i, e.at)) found = name(i);
+    return found;
+  }
   void set(std::size_t i, Slot e) const { set_(rows_, i, e.at); }
 
  private:
-  const void* rows_;
-  std::size_t size_;
-  std::string_view (*name_)(const void*, std::size_t);
-  std::string_view (*doc_)(const void*, std::size_t);
   bool (*is_)(const void*, std::size_t, const void*);
   void (*set_)(const void*, std::size_t, void*);
 };
@@ -170,36 +196,23 @@ struct Kind {
 };
 
 /// The table of kinds, of whatever they are.
-class KindTable {
+class KindTable : public NamedRows {
  public:
   template <class Table>
-  KindTable(const Table& table) : rows_(std::data(table)), size_(std::size(table)) {
-    row_ = [](const void* rows, std::size_t i) {
-      return of(static_cast<decltype(std::data(table))>(rows)[i]);
-    };
+  KindTable(const Table& table) : NamedRows(table) {
     describe_ = [](const void* rows, std::size_t i, Properties& v, void* one) {
       describe_as(static_cast<decltype(std::data(table))>(rows)[i], v, one);
     };
   }
 
-  std::size_t size() const { return size_; }
-  std::string_view name(std::size_t i) const { return row_(rows_, i).first; }
-  std::string_view doc(std::size_t i) const { return row_(rows_, i).second; }
   void describe(std::size_t i, Properties& v, Slot one) const { describe_(rows_, i, v, one.at); }
 
  private:
-  template <class T>
-  static std::pair<std::string_view, std::string_view> of(const Kind<T>& kind) {
-    return {kind.name, kind.doc};
-  }
   template <class T>
   static void describe_as(const Kind<T>& kind, Properties& v, void* one) {
     kind.describe(v, *static_cast<T*>(one));
   }
 
-  const void* rows_;
-  std::size_t size_;
-  std::pair<std::string_view, std::string_view> (*row_)(const void*, std::size_t);
   void (*describe_)(const void*, std::size_t, Properties&, void*);
 };
 
@@ -260,13 +273,16 @@ class Properties {
   void animated(std::string_view name, AnimatedSlot a, std::string_view doc) {
     visit_value(name, a, {}, doc);
   }
-  virtual void object(std::string_view name, ObjectSlot o, std::string_view doc) = 0;
+  void object(std::string_view name, ObjectSlot o, std::string_view doc) { visit_value(name, o, {}, doc); }
   virtual void list(std::string_view name, ListSlot l, const Count& count, std::string_view doc) = 0;
   void list(std::string_view name, ListSlot l, std::string_view doc) { list(name, l, Count{}, doc); }
   void pairs(std::string_view name, PairsSlot p, std::string_view doc) { visit_value(name, p, {}, doc); }
-  virtual void tagged(std::string_view name, ObjectSlot o, const KindTable& kinds, std::string_view doc) = 0;
-  virtual void tagged_list(std::string_view name, ListSlot l, const KindTable& kinds,
-                           std::string_view doc) = 0;
+  void tagged(std::string_view name, ObjectSlot o, const KindTable& kinds, std::string_view doc) {
+    visit_tagged(name, o, kinds, doc);
+  }
+  void tagged_list(std::string_view name, ListSlot l, const KindTable& kinds, std::string_view doc) {
+    visit_tagged(name, l, kinds, doc);
+  }
   virtual void inheriting_list(const Inheritance& names, ListSlot l, const KindTable& kinds,
                                std::string_view doc) = 0;
   template <class T, class Read>
@@ -293,6 +309,8 @@ class Properties {
  protected:
   /// What is read and printed by the type of its slot alone; `range` holds for all numbers in it.
   virtual void visit_value(std::string_view name, Slot x, const Range& range, std::string_view doc) = 0;
+  /// An object that says its kind, or a list of such.
+  virtual void visit_tagged(std::string_view name, Slot x, const KindTable& kinds, std::string_view doc) = 0;
   virtual void choose(std::string_view name, Slot e, const ChoiceTable& table, std::string_view doc) = 0;
   virtual void read_custom(std::string_view name, Slot x, ReadCustom read, std::string_view schema,
                            std::string_view doc) = 0;

@@ -53,10 +53,8 @@ void KeyWriter::file(std::string_view name, FileName& file, LoadFile, std::strin
 }
 
 void KeyWriter::choose(std::string_view name, Slot e, const ChoiceTable& table, std::string_view) {
-  std::string chosen;
-  if (std::optional<Slot> held = e.held())
-    for (std::size_t i = 0; i < table.size(); ++i)
-      if (table.is(i, *held)) chosen = table.name(i);
+  std::optional<Slot> held = e.held();
+  std::string chosen(held ? table.name_of(*held) : "");
   add(name, chosen);
 }
 

@@ -40,14 +40,7 @@ class KeyWriter : public Properties {
   void direction(std::string_view name, VectorSlot v, Across, std::string_view) override {
     add_slot(name, v);
   }
-  void object(std::string_view name, ObjectSlot o, std::string_view) override { add_slot(name, o); }
   void list(std::string_view name, ListSlot l, const Count&, std::string_view) override { add_slot(name, l); }
-  void tagged(std::string_view name, ObjectSlot o, const KindTable&, std::string_view) override {
-    add_slot(name, o);
-  }
-  void tagged_list(std::string_view name, ListSlot l, const KindTable&, std::string_view) override {
-    add_slot(name, l);
-  }
   void inheriting_list(const Inheritance& names, ListSlot l, const KindTable&, std::string_view) override {
     add_slot(names.list, l);
   }
@@ -55,6 +48,9 @@ class KeyWriter : public Properties {
 
  protected:
   void visit_value(std::string_view name, Slot x, const Range&, std::string_view) override {
+    add_slot(name, x);
+  }
+  void visit_tagged(std::string_view name, Slot x, const KindTable&, std::string_view) override {
     add_slot(name, x);
   }
   void choose(std::string_view name, Slot e, const ChoiceTable& table, std::string_view doc) override;

@@ -93,15 +93,11 @@ bool Reader::check_list(const Value& value, const Count& count) {
   bool open = count.max == Count{}.max;
   std::size_t size = value.items.size();
   if (value.is(Value::Type::list) && size >= count.min && size <= count.max) return true;
-  if (open && count.min == 0) {
-    fault(value, "a list");
-  } else if (open) {
-    fault(value, fmt::format("a list of {} or more", count.min));
-  } else if (count.min == count.max) {
-    fault(value, fmt::format("a list of {}", count.min));
-  } else {
-    fault(value, fmt::format("a list of {} to {}", count.min, count.max));
-  }
+  std::string many = open && count.min == 0   ? ""
+                     : open                   ? fmt::format(" of {} or more", count.min)
+                     : count.min == count.max ? fmt::format(" of {}", count.min)
+                                              : fmt::format(" of {} to {}", count.min, count.max);
+  fault(value, "a list" + many);
   return false;
 }
 

@@ -42,11 +42,7 @@ class Reader : public Properties {
   void file(std::string_view name, FileName& out, LoadFile load, std::string_view doc,
             bool needed = true) override;
   void direction(std::string_view name, VectorSlot out, Across across, std::string_view doc) override;
-  void object(std::string_view name, ObjectSlot out, std::string_view doc) override;
   void list(std::string_view name, ListSlot out, const Count& count, std::string_view doc) override;
-  void tagged(std::string_view name, ObjectSlot out, const KindTable& kinds, std::string_view doc) override;
-  void tagged_list(std::string_view name, ListSlot out, const KindTable& kinds,
-                   std::string_view doc) override;
   void inheriting_list(const Inheritance& names, ListSlot out, const KindTable& kinds,
                        std::string_view doc) override;
   /// Position of the object being read, or of that property of it, as in messages.
@@ -96,6 +92,7 @@ class Reader : public Properties {
 
  protected:
   void visit_value(std::string_view name, Slot out, const Range& range, std::string_view doc) override;
+  void visit_tagged(std::string_view name, Slot out, const KindTable& kinds, std::string_view doc) override;
   void choose(std::string_view name, Slot out, const ChoiceTable& table, std::string_view doc) override;
   void read_custom(std::string_view name, Slot out, ReadCustom read, std::string_view schema,
                    std::string_view doc) override;

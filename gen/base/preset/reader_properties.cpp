@@ -116,7 +116,7 @@ bool Reader::value_at(const Value& value, const Range& range, Slot out) {
     case SlotType::Kind::pairs:
       return keep(out, pairs_at(value));
     default:
-      return struct_at(value, out);
+      return struct_at(value, out.hold());
   }
 }
 
@@ -146,9 +146,7 @@ void Reader::file(std::string_view name, FileName& out, LoadFile load, std::stri
 
 void Reader::choose(std::string_view name, Slot out, const ChoiceTable& table, std::string_view) {
   member(name, [&](const Value& v) {
-    std::vector<std::string_view> names;
-    for (std::size_t i = 0; i < table.size(); ++i) names.push_back(table.name(i));
-    if (std::optional<std::size_t> which = name_at(v, names)) table.set(*which, out.hold());
+    if (std::optional<std::size_t> which = name_at(v, table.names())) table.set(*which, out.hold());
   });
 }
 
@@ -162,10 +160,6 @@ void Reader::direction(std::string_view name, VectorSlot out, Across across, std
       if (read && has_length(v, *read, across)) keep(out, read);
     }
   });
-}
-
-void Reader::object(std::string_view name, ObjectSlot out, std::string_view) {
-  member(name, [&](const Value& v) { object_at(v, out); });
 }
 
 void Reader::list_at(const Value& value, Slot out, const Count& count,
@@ -191,8 +185,7 @@ void Reader::read_custom(std::string_view name, Slot, ReadCustom read, std::stri
 
 bool Reader::tagged_at(const Value& value, Slot out, const KindTable& kinds) {
   if (!value.is(Value::Type::object)) return fault(value, "an object"), false;
-  std::vector<std::string_view> names;
-  for (std::size_t i = 0; i < kinds.size(); ++i) names.push_back(kinds.name(i));
+  std::vector<std::string_view> names = kinds.names();
   const Value* name = value.find("kind");
   if (!name) {
     faults_.add({value.origin, pointer_, "no \"kind\"" + expected_names("", names)});
@@ -207,12 +200,9 @@ bool Reader::tagged_at(const Value& value, Slot out, const KindTable& kinds) {
   });
 }
 
-void Reader::tagged(std::string_view name, ObjectSlot out, const KindTable& kinds, std::string_view) {
-  member(name, [&](const Value& v) { tagged_at(v, out.hold(), kinds); });
-}
-
-void Reader::tagged_list(std::string_view name, ListSlot out, const KindTable& kinds, std::string_view) {
+void Reader::visit_tagged(std::string_view name, Slot out, const KindTable& kinds, std::string_view) {
   member(name, [&](const Value& v) {
+    if (out.held_type().kind != SlotType::Kind::list) return void(tagged_at(v, out.hold(), kinds));
     list_at(v, out.hold(), {}, [&](const Value& item, Slot element) { tagged_at(item, element, kinds); });
   });
 }

@@ -30,10 +30,7 @@ class SchemaWriter : public Properties {
   void angle(std::string_view name, RealSlot x, const Range& range, std::string_view doc) override;
   void file(std::string_view name, FileName& file, LoadFile, std::string_view doc, bool needed) override;
   void direction(std::string_view name, VectorSlot v, Across across, std::string_view doc) override;
-  void object(std::string_view name, ObjectSlot o, std::string_view doc) override;
   void list(std::string_view name, ListSlot l, const Count& count, std::string_view doc) override;
-  void tagged(std::string_view name, ObjectSlot o, const KindTable& kinds, std::string_view doc) override;
-  void tagged_list(std::string_view name, ListSlot l, const KindTable& kinds, std::string_view doc) override;
   void inheriting_list(const Inheritance& names, ListSlot l, const KindTable& kinds,
                        std::string_view doc) override;
   void required(std::string_view name) override { required_.push_back(name); }
@@ -47,6 +44,7 @@ class SchemaWriter : public Properties {
 
  protected:
   void visit_value(std::string_view name, Slot x, const Range& range, std::string_view doc) override;
+  void visit_tagged(std::string_view name, Slot x, const KindTable& kinds, std::string_view doc) override;
   void choose(std::string_view name, Slot e, const ChoiceTable& table, std::string_view doc) override;
   void read_custom(std::string_view name, Slot x, ReadCustom, std::string_view schema,
                    std::string_view doc) override;

@@ -118,7 +118,9 @@ Value SchemaWriter::value_schema(const SlotType& type, const Range& range) {
 }
 
 void SchemaWriter::visit_value(std::string_view name, Slot x, const Range& range, std::string_view doc) {
-  add(name, value_schema(x.held_type(), range), doc, range.unit, initial(x, default_of));
+  bool object = x.type->kind == SlotType::Kind::object;  // which is shown as it is
+  add(name, object ? schema_of(x) : value_schema(x.held_type(), range), doc, range.unit,
+      initial(x, default_of));
 }
 
 void SchemaWriter::angle(std::string_view name, RealSlot x, const Range& range, std::string_view doc) {
@@ -132,13 +134,11 @@ void SchemaWriter::file(std::string_view name, FileName& file, LoadFile, std::st
 }
 
 void SchemaWriter::choose(std::string_view name, Slot e, const ChoiceTable& table, std::string_view doc) {
-  std::vector<std::string_view> names, docs;
-  for (std::size_t i = 0; i < table.size(); ++i) names.push_back(table.name(i)), docs.push_back(table.doc(i));
+  std::vector<std::string_view> names = table.names(), docs;
+  for (std::size_t i = 0; i < table.size(); ++i) docs.push_back(table.doc(i));
   add(name, choice_schema(names), with_choices(doc, names, docs), "", initial(e, [&](Slot held) {
-        Value value;
-        for (std::size_t i = 0; i < table.size(); ++i)
-          if (table.is(i, held)) value = make_text(table.name(i));
-        return value;
+        std::string_view chosen = table.name_of(held);
+        return chosen.empty() ? Value{} : make_text(chosen);
       }));
 }
 
@@ -146,22 +146,14 @@ void SchemaWriter::direction(std::string_view name, VectorSlot v, Across across,
   add(name, direction_schema(across), doc, "", initial(v, tidy_vector));
 }
 
-void SchemaWriter::object(std::string_view name, ObjectSlot o, std::string_view doc) {
-  bool optional = o.type->kind == SlotType::Kind::optional;
-  add(name, optional ? sample_schema(o.held_type()) : schema_of(o), doc);
-}
-
 void SchemaWriter::list(std::string_view name, ListSlot l, const Count& count, std::string_view doc) {
   add(name, list_schema(value_schema(*l.held_type().element, {}), count), doc);
 }
 
-void SchemaWriter::tagged(std::string_view name, ObjectSlot o, const KindTable& kinds, std::string_view doc) {
-  add(name, tagged_schema(o.held_type(), kinds), doc);
-}
-
-void SchemaWriter::tagged_list(std::string_view name, ListSlot l, const KindTable& kinds,
-                               std::string_view doc) {
-  add(name, list_schema(tagged_schema(*l.held_type().element, kinds), {}), doc);
+void SchemaWriter::visit_tagged(std::string_view name, Slot x, const KindTable& kinds, std::string_view doc) {
+  const SlotType& type = x.held_type();
+  bool list = type.kind == SlotType::Kind::list;
+  add(name, list ? list_schema(tagged_schema(*type.element, kinds), {}) : tagged_schema(type, kinds), doc);
 }
 
 void SchemaWriter::inheriting_list(const Inheritance& names, ListSlot l, const KindTable& kinds,

@@ -112,37 +112,21 @@ inline constexpr bool is_optional<std::optional<T>> = true;
 template <class T>
 constexpr SlotType::Kind slot_kind() {
   using Kind = SlotType::Kind;
-  if constexpr (std::is_same_v<T, bool>) {
-    return Kind::boolean;
-  } else if constexpr (std::is_floating_point_v<T>) {
-    return Kind::real;
-  } else if constexpr (std::is_integral_v<T>) {
-    return Kind::integer;
-  } else if constexpr (std::is_same_v<T, std::string>) {
-    return Kind::text;
-  } else if constexpr (std::is_enum_v<T>) {
-    return Kind::choice;
-  } else if constexpr (std::is_same_v<T, std::array<int, 2>>) {
-    return Kind::size;
-  } else if constexpr (std::is_same_v<T, Color>) {
-    return Kind::color;
-  } else if constexpr (std::is_same_v<T, Curve>) {
-    return Kind::curve;
-  } else if constexpr (std::is_same_v<T, Animated<double>> || std::is_same_v<T, Animated<Vec3>>) {
-    return Kind::animated;
-  } else if constexpr (std::is_same_v<T, std::vector<std::pair<std::string, std::string>>>) {
-    return Kind::pairs;
-  } else if constexpr (std::is_same_v<T, Keys>) {
-    return Kind::keys;
-  } else if constexpr (slots::is_vector<T>) {
-    return Kind::list;
-  } else if constexpr (slots::is_optional<T>) {
-    return Kind::optional;
-  } else if constexpr (requires { T::length(), typename T::value_type(); }) {
-    return Kind::vector;
-  } else {
-    return Kind::object;
-  }
+  if (std::is_same_v<T, bool>) return Kind::boolean;
+  if (std::is_floating_point_v<T>) return Kind::real;
+  if (std::is_integral_v<T>) return Kind::integer;
+  if (std::is_same_v<T, std::string>) return Kind::text;
+  if (std::is_enum_v<T>) return Kind::choice;
+  if (std::is_same_v<T, std::array<int, 2>>) return Kind::size;
+  if (std::is_same_v<T, Color>) return Kind::color;
+  if (std::is_same_v<T, Curve>) return Kind::curve;
+  if (std::is_same_v<T, Animated<double>> || std::is_same_v<T, Animated<Vec3>>) return Kind::animated;
+  if (std::is_same_v<T, std::vector<std::pair<std::string, std::string>>>) return Kind::pairs;
+  if (std::is_same_v<T, Keys>) return Kind::keys;
+  if (slots::is_vector<T>) return Kind::list;
+  if (slots::is_optional<T>) return Kind::optional;
+  return requires { T::length(), typename T::value_type(); }
+  ? Kind::vector : Kind::object;
 }
 
 template <class T>

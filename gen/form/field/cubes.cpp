@@ -100,8 +100,7 @@ Surface joined_faces(const Cubes& cubes, std::vector<std::int32_t>& node) {
   std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   Surface s;
-  for (auto [i, j, k] : corners)
-    s.position.emplace_back(static_cast<float>(i), static_cast<float>(j), static_cast<float>(k));
+  for (auto [i, j, k] : corners) s.position.emplace_back(i, j, k);
   node.assign(corners.size(), 0);
   std::size_t next = 0;
   visit_faces(cubes, [&](std::size_t c, std::size_t) {
@@ -169,8 +168,7 @@ Surface cubes_surface(const Cubes& cubes, std::vector<std::uint32_t>& cube) {
   Surface surface;
   cube.clear();
   visit_faces(cubes, [&](std::size_t c, std::size_t f) {
-    Vec3 out(static_cast<float>(kFaces[f].i), static_cast<float>(kFaces[f].j),
-             static_cast<float>(kFaces[f].k));
+    Vec3 out(kFaces[f].i, kFaces[f].j, kFaces[f].k);
     auto first = static_cast<std::uint32_t>(surface.position.size());
     for (Cell corner : face_corners(cubes.cell[c], f)) {
       // All faces that meet at a corner get the same numbers, or there would be gaps of the last digit.

@@ -47,8 +47,7 @@ Surface blade_surface(const BladeShape& shape) {
         double share = static_cast<double>(side < 0 ? across - k : k) / across;
         double rise = half * share * std::sin(shape.fold) * (1 - 0.45 * share);
         rise += 0.06 * shape.wave * share * share * std::sin(t * 17 + side);
-        Vec3 at(static_cast<float>(side * half * share * std::cos(shape.fold)), static_cast<float>(y),
-                static_cast<float>(z));
+        Vec3 at(side * half * share * std::cos(shape.fold), y, z);
         s.position.push_back(at + up * static_cast<float>(rise));
         s.uv.emplace_back(static_cast<float>(along), static_cast<float>(0.5 + 0.5 * side * share));
       }
@@ -78,17 +77,15 @@ Surface corolla_surface(const BladeShape& petal, int count, double open) {
 Surface heart_surface(double radius, double flatness, int florets) {
   Surface s, seed = ball_surface();
   float dome = static_cast<float>(1 - flatness);
-  append_turned(s, seed,
-                glm::mat3(static_cast<float>(1.96 * radius), 0, 0, 0, static_cast<float>(1.7 * radius) * dome,
-                          0, 0, 0, static_cast<float>(1.96 * radius)),
-                Vec3(0));
+  append_turned(
+      s, seed,
+      glm::mat3(1.96 * radius, 0, 0, 0, static_cast<float>(1.7 * radius) * dome, 0, 0, 0, 1.96 * radius),
+      Vec3(0));
   for (int i = 0; i < florets; ++i) {
     double share = std::sqrt((i + 0.5) / florets), angle = i * kGoldenAngle, r = radius * share;
     float size = static_cast<float>(2.1 * radius / std::sqrt(static_cast<double>(florets)));
     double height = radius * 0.85 * dome * std::sqrt(std::max(0.0, 1 - share * share));
-    append_turned(s, seed, glm::mat3(size),
-                  Vec3(static_cast<float>(r * std::cos(angle)), static_cast<float>(height),
-                       static_cast<float>(r * std::sin(angle))));
+    append_turned(s, seed, glm::mat3(size), Vec3(r * std::cos(angle), height, r * std::sin(angle)));
   }
   s.uv.clear();
   set_normals(s);

@@ -1,11 +1,17 @@
 #pragma once
 
+#include <glm/vec4.hpp>
 #include <span>
 
 #include "model/skeleton.h"
 #include "model/surface.h"
 
 namespace frond {
+
+/// Marks with 1 those points of a chain that are farther than `within` metres from the line between their
+/// neighbours that are marked (Douglas and Peucker 1973), its ends always. w is their radius: by how much it
+/// differs counts, too.
+void mark_bends(std::span<const glm::vec4> chain, float within, std::span<char> marks);
 
 /// Branches simplified for a far view: without those that begin thinner than `least` metres (the stem stays),
 /// and without nodes within `tolerance` metres of the line between their neighbours (Douglas and Peucker

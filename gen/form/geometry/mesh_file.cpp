@@ -14,7 +14,6 @@ namespace {
 
 struct Magic {
   std::string_view bytes, what;
-  std::size_t at = 0;
 };
 
 using namespace std::string_view_literals;

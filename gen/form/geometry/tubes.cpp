@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "geometry/bends.h"
+#include "geometry/far.h"
 
 namespace frond {
 

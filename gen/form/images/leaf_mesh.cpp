@@ -17,8 +17,7 @@ struct Bending {
   LeafCurl curl;
 
   Vec2 uv(Vec2 p) const {
-    return {static_cast<float>(0.5 + 0.5 * p.x / frame.half),
-            static_cast<float>((p.y - frame.low) / (frame.high - frame.low))};
+    return Vec2(0.5 + 0.5 * p.x / frame.half, (p.y - frame.low) / (frame.high - frame.low));
   }
 };
 

@@ -8,8 +8,7 @@
 namespace frond {
 
 Surface bar_surface(const Arch& arch, const Bar& bar) {
-  Vec3 size(static_cast<float>(bar.to - bar.from), static_cast<float>(bar.high - bar.low),
-            static_cast<float>(bar.far - bar.near));
+  Vec3 size(bar.to - bar.from, bar.high - bar.low, bar.far - bar.near);
   Surface surface = block_surface({size, bar.bevel, {bar.cuts, bar.sides, bar.sides}});
   double s = (bar.from + bar.to) / 2, n = (bar.low + bar.high) / 2, z = (bar.near + bar.far) / 2;
   bend(surface, [&](Vec3 p) {
@@ -41,8 +40,7 @@ BridgePiece post_piece(Vec2 at, double foot, double head, double width, float be
   Surface surface = block_surface({Vec3(static_cast<float>(head - foot), w, w), bevel, {4, 1, 1}});
   // Its own x, along which the grain runs, points upward.
   Quat turn = glm::angleAxis(static_cast<float>(kPi / 2), Vec3(0, 0, 1));
-  return {BridgePart::post, std::move(surface), Vec3(at.x, static_cast<float>((foot + head) / 2), at.y),
-          turn};
+  return {BridgePart::post, std::move(surface), Vec3(at.x, (foot + head) / 2, at.y), turn};
 }
 
 BridgePiece cap_piece(Vec2 at, double head, double width) {

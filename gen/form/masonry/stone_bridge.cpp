@@ -177,8 +177,8 @@ void build_vault(const BridgeMason& m, Seed seed) {
             if (far - near < 0.04) return;
             Surface surface = block_surface(
                 {Vec3(real(m.vault.ring), real(high), real(far - near - 2 * joint)), kStoneBevel, {2, 2, 2}});
-            Vec3 at(real(side * (m.vault.half + m.vault.ring / 2)),
-                    real(m.vault.spring - (row + 0.5) * deep / rows), real((near + far) / 2));
+            Vec3 at(side * (m.vault.half + m.vault.ring / 2), m.vault.spring - (row + 0.5) * deep / rows,
+                    (near + far) / 2);
             bend(surface, [&](Vec3 p) { return p + at; });
             m.add(BridgePart::voussoir, std::move(surface), own);
           });

@@ -121,8 +121,7 @@ Soil vessel_soil(const VesselProfile& profile, double share, int sides, Seed see
   double wide = inner_radius(profile, top), into = profile.wall / 3, grain = std::max(0.012, 0.16 * wide);
   double heap = 0.05 * wide;
   soil.height = top;
-  Vec3 shift(static_cast<float>(seed.child("x").range(-99, 99)), 0,
-             static_cast<float>(seed.child("z").range(-99, 99)));
+  Vec3 shift(seed.child("x").range(-99, 99), 0, seed.child("z").range(-99, 99));
   // Upper side from the middle outward, wall down, lower side.
   std::vector<glm::dvec2> line{{0, top}};
   for (int i = 1; i <= kRings; ++i) line.push_back({(wide + into) * i / kRings, top});

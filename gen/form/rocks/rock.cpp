@@ -44,8 +44,7 @@ Blobs laid(const Blobs& blobs) {
 Vec3 random_direction(Seed seed) {
   double y = seed.child("y").range(-1, 1), turn = seed.child("turn").range(0, 2 * kPi),
          r = std::sqrt(1 - y * y);
-  return {static_cast<float>(r * std::cos(turn)), static_cast<float>(y),
-          static_cast<float>(r * std::sin(turn))};
+  return Vec3(r * std::cos(turn), y, r * std::sin(turn));
 }
 
 /// 0 well below 0, x well above, and round over `soft` either way.
@@ -92,8 +91,7 @@ void wear(Surface& rock, const RockShape& shape, Seed seed) {
   const Weathering& w = shape.weathering;
   Vec3 shift = random_shift(seed, 50);
   double toward = seed.child("dip").range(0, 2 * kPi), sine = std::sin(w.dip);
-  Vec3 up(static_cast<float>(sine * std::cos(toward)), static_cast<float>(std::cos(w.dip)),
-          static_cast<float>(sine * std::sin(toward)));
+  Vec3 up(sine * std::cos(toward), std::cos(w.dip), sine * std::sin(toward));
   float size = static_cast<float>(shape.size);
   Seed layers = seed.child("strata");
   parallel_for((rock.position.size() + kVerticesATask - 1) / kVerticesATask, [&](std::size_t share) {

@@ -5,7 +5,7 @@
 #include <glm/matrix.hpp>
 
 #include "core/text.h"
-#include "geometry/bends.h"
+#include "geometry/far.h"
 
 namespace frond {
 
