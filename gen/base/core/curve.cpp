@@ -112,8 +112,8 @@ T Animated<T>::at(double time) const {
   if (before->ease || before->handled() || after->handled())
     return shaped(static_cast<std::size_t>(before - keys_.begin()), (time - before->time) / width);
   Hermite w = hermite((time - before->time) / width);
-  const T& slope_before = slopes_[static_cast<std::size_t>(before - keys_.begin())];
-  const T& slope_after = slopes_[static_cast<std::size_t>(after - keys_.begin())];
+  const T& slope_before = slopes_[before - keys_.begin()];
+  const T& slope_after = slopes_[after - keys_.begin()];
   using Scalar = std::conditional_t<std::is_same_v<T, double>, double, float>;
   return static_cast<Scalar>(w.start) * before->value + static_cast<Scalar>(w.end) * after->value +
          static_cast<Scalar>(w.start_slope * width) * slope_before +

@@ -10,9 +10,7 @@ double Mask::at_share(double across, double down) const {
   double y = std::clamp(down * height - 0.5, 0.0, height - 1.0);
   int left = static_cast<int>(x), top = static_cast<int>(y);
   int right = std::min(left + 1, width - 1), bottom = std::min(top + 1, height - 1);
-  auto pixel = [&](int column, int row) {
-    return static_cast<double>((*grey)[static_cast<std::size_t>(row * width + column)]);
-  };
+  auto pixel = [&](int column, int row) { return static_cast<double>((*grey)[row * width + column]); };
   double s = x - left, t = y - top;
   return (1 - t) * ((1 - s) * pixel(left, top) + s * pixel(right, top)) +
          t * ((1 - s) * pixel(left, bottom) + s * pixel(right, bottom));

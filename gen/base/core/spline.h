@@ -84,9 +84,7 @@ std::vector<V> spline_places(std::span<const SplinePoint<V>> points, const Splin
   std::size_t count = points.size(), spans = shape.closed || count == 0 ? count : count - 1;
   auto near = [&](std::size_t i, int aside) {  // within the line, or round it
     auto k = static_cast<std::ptrdiff_t>(i) + aside, n = static_cast<std::ptrdiff_t>(count);
-    return points[static_cast<std::size_t>(shape.closed ? (k + n) % n
-                                                        : std::clamp<std::ptrdiff_t>(k, 0, n - 1))]
-        .at;
+    return points[shape.closed ? (k + n) % n : std::clamp<std::ptrdiff_t>(k, 0, n - 1)].at;
   };
   auto handle = [&](std::size_t i, bool on) -> V {
     const SplinePoint<V>& p = points[i];

@@ -15,7 +15,7 @@ void append(std::string& text, double value, int decimals) {
       1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000, 1'000'000'000};
   assert(decimals >= 0 && decimals <= 9);
   // As one whole number of the last decimal: integers convert several times faster than floating point.
-  long long power = kPower[static_cast<std::size_t>(decimals)];
+  long long power = kPower[decimals];
   double product = value * static_cast<double>(power);
   if (!(std::abs(product) < 9e18)) product = std::isnan(value) ? 0 : std::copysign(9e18, value);
   long long scaled = std::llround(product);

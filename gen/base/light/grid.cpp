@@ -159,8 +159,7 @@ void SoftLight::Level::add(Vec3 at, float share, Vec3 albedo, Facing facing, flo
   sum_up(area[i], sum);
   if (bulk > 0) sum_up(bulk < cell ? thin[i] : body[i], sum);
   for (int c = 0; c < 3; ++c)
-    sum_up(color[static_cast<std::size_t>(c)][i],
-           static_cast<std::uint32_t>(static_cast<float>(sum) * albedo[c] + 0.5f));
+    sum_up(color[c][i], static_cast<std::uint32_t>(static_cast<float>(sum) * albedo[c] + 0.5f));
   std::atomic_ref<Facing> looks(facings[i]);
   if ((looks.load(std::memory_order_relaxed) & facing) != facing)
     looks.fetch_or(facing, std::memory_order_relaxed);
@@ -194,8 +193,7 @@ void SoftLight::add_land(const std::function<float(Vec2)>& height, Vec3 albedo, 
           level.area[i] += sum;
           if (y <= solid) level.body[i] += sum;
           for (int c = 0; c < 3; ++c)
-            level.color[static_cast<std::size_t>(c)][i] +=
-                static_cast<std::uint32_t>(static_cast<float>(sum) * albedo[c]);
+            level.color[c][i] += static_cast<std::uint32_t>(static_cast<float>(sum) * albedo[c]);
           Facing facings = y <= solid ? kLand : 0;
           if (y >= solid && y <= top) facings |= facing(normal);
           if (y >= top && tall > 0) facings |= kAllFacings;

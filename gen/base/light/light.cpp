@@ -124,8 +124,7 @@ void SoftLight::light(const Ambience& ambience) {
       }
     });
     for (std::size_t i = 0; i < shown.size(); ++i)
-      for (int c = 0; c < 3; ++c)
-        level.color[static_cast<std::size_t>(c)][i] = std::bit_cast<std::uint32_t>(shown[i][c]);
+      for (int c = 0; c < 3; ++c) level.color[c][i] = std::bit_cast<std::uint32_t>(shown[i][c]);
   }
 }
 
@@ -142,8 +141,7 @@ void SoftLight::gather(std::size_t k, Vec3 at, Facing facing, const Ambience& am
     float open = 0;
     Vec3 light = kShare * arriving(k, at, direction, 0.7f, ambience, open);
     for (int axis = 0; axis < 6; ++axis)
-      if (facing & 1 << axis)
-        sum[static_cast<std::size_t>(axis)] += std::max(0.0f, glm::dot(direction, axis_of(axis))) * light;
+      if (facing & 1 << axis) sum[axis] += std::max(0.0f, glm::dot(direction, axis_of(axis))) * light;
   }
 }
 
@@ -203,8 +201,7 @@ std::vector<Probe> SoftLight::probes_of(std::size_t k, const Ambience& ambience,
         }
         gather(k, at, in_open, ambience, sum);
         for (int axis = 0; axis < 6; ++axis)
-          if (need & 1 << axis)
-            slabs[slab].push_back({at, axis, level.cell, sum[static_cast<std::size_t>(axis)]});
+          if (need & 1 << axis) slabs[slab].push_back({at, axis, level.cell, sum[axis]});
       }
     }
   });

@@ -21,9 +21,9 @@ class Joiner {
         children_(rest.size(), 0) {}
 
   void add_cone(std::int32_t i, const RoundCone& cone) {
-    assert(rest_.parent[i] >= 0 && cone_[static_cast<std::size_t>(i)] < 0);
-    cone_[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(boughs_.cones.size());
-    ++children_[static_cast<std::size_t>(rest_.parent[i])];
+    assert(rest_.parent[i] >= 0 && cone_[i] < 0);
+    cone_[i] = static_cast<std::int32_t>(boughs_.cones.size());
+    ++children_[rest_.parent[i]];
     boughs_.cones.push_back(cone);
   }
 
@@ -34,10 +34,10 @@ class Joiner {
     std::vector<std::vector<std::int32_t>> branches;
     for (std::size_t i = 0; i < n; ++i) {
       std::int32_t p = rest_.parent[i];
-      if (p == Skeleton::kRoot || cone_[i] < 0 || children_[static_cast<std::size_t>(p)] < 2) continue;
-      std::int32_t& of = fork[static_cast<std::size_t>(p)];
+      if (p == Skeleton::kRoot || cone_[i] < 0 || children_[p] < 2) continue;
+      std::int32_t& of = fork[p];
       if (of < 0) of = static_cast<std::int32_t>(branches.size()), branches.emplace_back().push_back(p);
-      branches[static_cast<std::size_t>(of)].push_back(static_cast<std::int32_t>(i));
+      branches[of].push_back(static_cast<std::int32_t>(i));
     }
     for (const auto& list : branches) add_fork(list);
   }
@@ -47,10 +47,10 @@ class Joiner {
   void add_fork(const std::vector<std::int32_t>& list) {
     assert(list.size() >= 3 && "a node and two children at least");
     std::int32_t node = list[0];
-    float reach = kReach * radius_[static_cast<std::size_t>(node)];
+    float reach = kReach * radius_[node];
     Forks::Fork fork{static_cast<std::uint32_t>(boughs_.forks.arms.size()), 0};
-    if (cone_[static_cast<std::size_t>(node)] >= 0) {
-      begin_arm(radius_[static_cast<std::size_t>(node)]);
+    if (cone_[node] >= 0) {
+      begin_arm(radius_[node]);
       float length = 0;
       for (std::int32_t i = node; length < reach && takes(i);
            i = forks(rest_.parent[i]) ? -1 : rest_.parent[i])
@@ -58,7 +58,7 @@ class Joiner {
       end_arm();
     }
     for (std::size_t k = 1; k < list.size() && boughs_.forks.arms.size() - fork.first < kMostArms; ++k) {
-      begin_arm(radius_[static_cast<std::size_t>(list[k])]);
+      begin_arm(radius_[list[k]]);
       float length = 0;
       for (std::int32_t i = list[k]; length < reach && takes(i); i = forks(i) ? -1 : next(i))
         length += add_member(i);
@@ -69,16 +69,16 @@ class Joiner {
   }
 
   bool takes(std::int32_t i) const {
-    return i >= 0 && cone_[static_cast<std::size_t>(i)] >= 0 &&
+    return i >= 0 && cone_[i] >= 0 &&
            boughs_.forks.member.size() - boughs_.forks.arms.back().first < kMostCones;
   }
   /// An arm ends at the next fork, which has arms of its own.
-  bool forks(std::int32_t i) const { return i >= 0 && children_[static_cast<std::size_t>(i)] > 1; }
+  bool forks(std::int32_t i) const { return i >= 0 && children_[i] > 1; }
   std::int32_t next(std::int32_t i) const {
     return i + 1 < static_cast<std::int32_t>(rest_.size()) && rest_.parent[i + 1] == i ? i + 1 : -1;
   }
   float add_member(std::int32_t i) {
-    auto cone = static_cast<std::uint32_t>(cone_[static_cast<std::size_t>(i)]);
+    auto cone = static_cast<std::uint32_t>(cone_[i]);
     boughs_.forks.member.push_back(cone);
     return boughs_.cones[cone].length;
   }
@@ -106,14 +106,13 @@ void add_boughs(BranchVolume& boughs, const Skeleton& rest, std::span<const Vec3
   for (std::size_t i = 0; i < rest.size(); ++i) {
     std::int32_t p = rest.parent[i];
     auto node = static_cast<std::int32_t>(i);
-    root[i] = p == Skeleton::kRoot ? node : root[static_cast<std::size_t>(p)];
+    root[i] = p == Skeleton::kRoot ? node : root[p];
     if (p == Skeleton::kRoot || rest.birth[p] >= front) continue;
-    float foot = radius[static_cast<std::size_t>(p)];
+    float foot = radius[p];
     assert(foot >= 0 && radius[i] >= 0);
     // A branch leaves its parent little thicker than it goes on, or the fork would swell.
     if (p != node - 1) foot = std::min(foot, 1.25f * radius[i]);
-    RoundCone cone =
-        make_cone(position[static_cast<std::size_t>(p)], foot, position[i], radius[i], first_node + node);
+    RoundCone cone = make_cone(position[p], foot, position[i], radius[i], first_node + node);
     cone.root = first_node + root[i];
     joiner.add_cone(node, cone);
   }

@@ -57,8 +57,7 @@ CellSet occupied(const BranchVolume& boughs, const Blocks& blocks) {
     for (std::size_t b = 0; b < within.size(); ++b) {
       Cell first = block_origin(list.blocks[b].key);
       for (std::int32_t i = 0; i < kBlockVoxels; ++i)
-        if (within[b][static_cast<std::size_t>(i)])
-          cells.add({first.i + (i >> 6), first.j + (i >> 3 & 7), first.k + (i & 7)});
+        if (within[b][i]) cells.add({first.i + (i >> 6), first.j + (i >> 3 & 7), first.k + (i & 7)});
     }
   }
   for (const RoundCone& cone : boughs.cones)
@@ -76,9 +75,9 @@ std::array<Cell, 4> face_corners(Cell cell, std::size_t face) {
   std::array<Cell, 4> corners;
   for (int c = 0; c < 4; ++c) {
     int x = c == 1 || c == 2 ? 1 : -1, y = c >= 2 ? 1 : -1;
-    corners[static_cast<std::size_t>(c)] = {cell.i + (1 + out.i + x * right.i + y * up.i) / 2,
-                                            cell.j + (1 + out.j + x * right.j + y * up.j) / 2,
-                                            cell.k + (1 + out.k + x * right.k + y * up.k) / 2};
+    corners[c] = {cell.i + (1 + out.i + x * right.i + y * up.i) / 2,
+                  cell.j + (1 + out.j + x * right.j + y * up.j) / 2,
+                  cell.k + (1 + out.k + x * right.k + y * up.k) / 2};
   }
   return corners;
 }
@@ -158,7 +157,7 @@ Result<Cubes> cubes_of(const BranchVolume& boughs, const VolumeOptions& options)
     std::int32_t before = cubes.node.empty() ? boughs.cones[0].node : cubes.node.back();
     cubes.cell.push_back(cell);
     cubes.shown.push_back(shown);
-    cubes.node.push_back(sample.cone < 0 ? before : boughs.cones[static_cast<std::size_t>(sample.cone)].node);
+    cubes.node.push_back(sample.cone < 0 ? before : boughs.cones[sample.cone].node);
   });
   keep_outsides(cubes, boughs);
   return cubes;

@@ -27,7 +27,7 @@ void lower_row(const RoundCone& cone, Vec3 at, float voxel, Row& row) {
     foot = foot < length ? foot : length;
     float rest = along - foot;
     float d = std::sqrt(across * across + rest * rest) - (radius - taper * foot);
-    float& value = row[static_cast<std::size_t>(k)];
+    float& value = row[k];
     value = d < value ? d : value;
   }
 }
@@ -91,8 +91,7 @@ void fill_part(const BranchVolume& boughs, float voxel, float band, const Nearby
       for (std::size_t f = 0; f < near.forks.size(); ++f)
         lower_to_fork(boughs, near.forks, f, at, voxel, band, row);
       for (int k = 0; k < kPartSide; ++k)
-        out[(i * kBlockSide + j) * kBlockSide + k] =
-            std::clamp(row[static_cast<std::size_t>(k)], -band, band);
+        out[(i * kBlockSide + j) * kBlockSide + k] = std::clamp(row[k], -band, band);
     }
 }
 

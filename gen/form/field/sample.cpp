@@ -114,8 +114,7 @@ FieldSample sample_boughs(const BranchVolume& boughs, const Nearby& near, Vec3 a
     if (best.cone < 0) best.cone = fork.cone;
     filleted = true;
   }
-  if (!filleted && best.cone >= 0)
-    best.normal = outward(boughs.cones[static_cast<std::size_t>(best.cone)], at);
+  if (!filleted && best.cone >= 0) best.normal = outward(boughs.cones[best.cone], at);
   return best;
 }
 

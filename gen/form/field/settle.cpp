@@ -57,7 +57,7 @@ void settle_vertex(const BranchVolume& boughs, const Nearby& near, float voxel, 
   }
   mesh.surface.position[v] = at;
   mesh.surface.normal[v] = sample.normal;
-  mesh.node[v] = boughs.cones[static_cast<std::size_t>(sample.cone)].node;
+  mesh.node[v] = boughs.cones[sample.cone].node;
 }
 
 /// The way that the branches near a vertex carry it, the nearest most; notes the node of that one. It changes

@@ -282,7 +282,7 @@ Result<FusedMesh> roughen(const BranchVolume& boughs, const VolumeOptions& optio
       carried.node.push_back(mesh.node[source[v]]);
       carried.surface.position[v] += mesh.surface.normal[source[v]];
       Vec3& normal = carried.surface.normal[v];
-      normal = carriage.turn[static_cast<std::size_t>(carried.node[v])] * normal;
+      normal = carriage.turn[carried.node[v]] * normal;
     }
     return carried;
   });

@@ -30,7 +30,7 @@ std::vector<bool> outsides(const Surface& s, std::span<const std::int32_t> node,
   std::vector<std::uint32_t> largest(root.size(), UINT32_MAX);
   for (std::uint32_t v = 0; v < s.position.size(); ++v) {
     std::uint32_t piece = joined.top(v);
-    std::uint32_t& best = largest[static_cast<std::size_t>(root[static_cast<std::size_t>(node[v])])];
+    std::uint32_t& best = largest[root[static_cast<std::size_t>(node[v])]];
     if (volume[piece] > 0 && (best == UINT32_MAX || volume[piece] > volume[best])) best = piece;
   }
   std::vector<bool> kept(s.position.size()), outside(s.triangle.size());

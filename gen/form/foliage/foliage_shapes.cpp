@@ -94,7 +94,7 @@ void add_leaflet(Surface& s, const StemStation& from, double length, double widt
     Vec3 along = from.along * cosine_of(angle) - from.up * sine_of(angle);
     Vec3 up = from.up * cosine_of(angle) + from.along * sine_of(angle);
     if (i > 0) at += along * static_cast<float>(length / kPieces);
-    auto half = static_cast<float>(0.5 * width * kWidths[static_cast<std::size_t>(i)]);
+    auto half = static_cast<float>(0.5 * width * kWidths[i]);
     for (int side = -1; side <= 1; ++side) {
       float out = static_cast<float>(side) * half;
       s.position.push_back(at + from.across * out * kAside - up * (kDown * std::abs(out)));
@@ -208,7 +208,7 @@ TwigParts frond_foliage(const FrondShape& shape, Seed seed) {
   double spacing = (1 - shape.stalk) / shape.pairs;
   for (int i = 0; i < shape.pairs; ++i) {
     for (int side : {-1, 1}) {
-      Seed own = seed.child("leaflet", static_cast<std::uint64_t>(2 * i + (side > 0)));
+      Seed own = seed.child("leaflet", 2 * i + (side > 0));
       double s = (i + 0.5 + kVaries.place * own.child(0).range(-1, 1)) / shape.pairs;
       StemStation foot = station_at(stem, shape.stalk + (1 - shape.stalk) * s);
       // Long in the middle, short at both ends; forward at the tip.
@@ -256,7 +256,7 @@ TwigParts sprig_foliage(const TwigShape& shape, Seed seed) {
   for (StemStation& station : stem) station.at *= static_cast<float>(reach);
   sprig.stem = rod(stem, kTwig);
   for (int i = 0; i < shape.leaves; ++i) {
-    Seed own = seed.child("leaf", static_cast<std::uint64_t>(i));
+    Seed own = seed.child("leaf", i);
     bool last = i + 1 == shape.leaves;
     double s = shape.leaves > 1 ? static_cast<double>(i) / (shape.leaves - 1) : 1.0;
     StemStation foot = station_at(stem, last ? 1.0 : kFirst + kSpan * s);

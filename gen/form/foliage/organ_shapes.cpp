@@ -96,7 +96,7 @@ Surface turned_surface(std::span<const float> profile, int sides) {
   Surface s;
   auto rows = static_cast<int>(profile.size());
   for (int i = 0; i < rows; ++i) {
-    float y = static_cast<float>(i) / static_cast<float>(rows - 1), r = profile[static_cast<std::size_t>(i)];
+    float y = static_cast<float>(i) / static_cast<float>(rows - 1), r = profile[i];
     for (int k = 0; k <= sides; ++k) {
       double angle = -2 * kPi * k / sides;
       s.position.emplace_back(r * static_cast<float>(std::cos(angle)), y,
@@ -121,8 +121,7 @@ Surface ball_surface() {
   constexpr int kRows = 12, kSides = 20;
   std::array<float, kRows> profile;
   Surface s;
-  for (int i = 0; i < kRows; ++i)
-    profile[static_cast<std::size_t>(i)] = static_cast<float>(0.5 * std::sin(kPi * i / (kRows - 1)));
+  for (int i = 0; i < kRows; ++i) profile[i] = static_cast<float>(0.5 * std::sin(kPi * i / (kRows - 1)));
   profile.front() = profile.back() = 0;
   s = turned_surface(profile, kSides);
   for (std::size_t i = 0; i < s.position.size(); ++i) {

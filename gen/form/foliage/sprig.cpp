@@ -66,7 +66,7 @@ Vec3 squared(Vec3 v, Vec3 along) {
 
 /// The same number for the same leaf and property in every sprig.
 float varied(int i, std::uint64_t which, float low, float high) {
-  return static_cast<float>(Seed{77}.child(static_cast<std::uint64_t>(i)).child(which).range(low, high));
+  return static_cast<float>(Seed{77}.child(i).child(which).range(low, high));
 }
 
 // Sizes are by eye; bend and fold are those of SprigLeaf.

@@ -224,14 +224,14 @@ class GlbReader {
     if (node.contains("matrix")) {
       auto m = node["matrix"].get<std::array<double, 16>>();
       glm::dmat4 out;
-      for (int i = 0; i < 16; ++i) out[i / 4][i % 4] = m[static_cast<std::size_t>(i)];
+      for (int i = 0; i < 16; ++i) out[i / 4][i % 4] = m[i];
       return out;
     }
     auto t = node.value("translation", std::array<double, 3>{0, 0, 0});
     auto r = node.value("rotation", std::array<double, 4>{0, 0, 0, 1});
     auto s = node.value("scale", std::array<double, 3>{1, 1, 1});
     glm::dmat4 out = glm::mat4_cast(glm::normalize(glm::dquat(r[3], r[0], r[1], r[2])));
-    for (int axis = 0; axis < 3; ++axis) out[axis] *= s[static_cast<std::size_t>(axis)];
+    for (int axis = 0; axis < 3; ++axis) out[axis] *= s[axis];
     out[3] = glm::dvec4(t[0], t[1], t[2], 1);
     return out;
   }

@@ -91,7 +91,7 @@ class ObjParser {
     for (std::string_view word = lines_.word(); !word.empty() && count < 7; word = lines_.word(), ++count) {
       std::optional<double> number = number_of(word);
       if (!number && count < 3) break;
-      x[static_cast<std::size_t>(count)] = number.value_or(0);
+      x[count] = number.value_or(0);
     }
     if (count < 3) return none_of("place", count);
     mesh.place.emplace_back(x[0], x[1], x[2]);

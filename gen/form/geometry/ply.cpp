@@ -179,7 +179,7 @@ class PlyParser {
     bool vertices = element.name == "vertex", bytes = false;
     for (const Property& p : element.properties)
       if (int slot = slot_of(p.name); vertices && slot >= 0 && !p.count) {
-        has[static_cast<std::size_t>(slot)] = true;
+        has[slot] = true;
         if (slot == kRed) bytes = p.type->name == "uchar";
       }
     if (vertices && !(has[kX] && has[kY] && has[kZ])) return "its vertices have no x, y and z";
@@ -194,7 +194,7 @@ class PlyParser {
             add_face(list_);
           if (p.name == "vertex_indices" && element.name == "tristrips") add_strips();
         } else if (int slot = slot_of(p.name); vertices && slot >= 0) {
-          slots[static_cast<std::size_t>(slot)] = value;
+          slots[slot] = value;
         }
       }
       if (vertices && !add_vertex(slots, has, bytes ? 255.0 : 1.0))

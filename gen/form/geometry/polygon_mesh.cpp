@@ -191,7 +191,7 @@ class Cutter {
   }
 
   Vec3 normal_of(const Cut& cut, std::size_t corner) const {
-    Vec3 n = turned(mesh_.normal[static_cast<std::size_t>(cut.corner[corner].normal)], frame_.z_up);
+    Vec3 n = turned(mesh_.normal[cut.corner[corner].normal], frame_.z_up);
     float length = glm::length(n);
     return n / (cut.reversed ? -length : length);
   }
@@ -213,7 +213,7 @@ class Cutter {
     return std::ranges::all_of(cuts_, [&](const Cut& cut) {
       return std::ranges::all_of(cut.corner, [&](const Corner& corner) {
         if (corner.normal < 0) return false;
-        float length = glm::length(mesh_.normal[static_cast<std::size_t>(corner.normal)]);
+        float length = glm::length(mesh_.normal[corner.normal]);
         return length > 0 && std::isfinite(length);
       });
     });
@@ -245,7 +245,7 @@ class Cutter {
   Vec3 paint_of(const Corner& corner) const {
     Vec3 paint = kUnpainted;
     if (corner.texture >= 0) {
-      Vec2 at = mesh_.texture[static_cast<std::size_t>(corner.texture)];
+      Vec2 at = mesh_.texture[corner.texture];
       paint.x = at.x, paint.y = at.y;
     }
     if (!mesh_.color.empty())
@@ -300,8 +300,7 @@ std::uint32_t PolygonMesh::part_of(const Part& wanted) {
 bool PolygonMesh::bears(std::uint32_t which, const std::string& name) const {
   const Part& p = part[which];
   if (name.empty()) return false;
-  return p.object == name || p.group == name ||
-         (p.material >= 0 && material[static_cast<std::size_t>(p.material)].name == name);
+  return p.object == name || p.group == name || (p.material >= 0 && material[p.material].name == name);
 }
 
 std::vector<std::string> PolygonMesh::names() const {
@@ -314,7 +313,7 @@ std::vector<std::string> PolygonMesh::names() const {
   for (std::size_t i = 0; i < part.size(); ++i) {
     if (!used[i]) continue;
     add(part[i].object), add(part[i].group);
-    if (part[i].material >= 0) add(material[static_cast<std::size_t>(part[i].material)].name);
+    if (part[i].material >= 0) add(material[part[i].material].name);
   }
   return names;
 }

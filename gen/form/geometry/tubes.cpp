@@ -367,19 +367,18 @@ TubeMesh closed_tubes(const Skeleton& rest, std::span<const Vec3> position, std:
     std::int32_t stop = chain_end(rest, start) + 1;
     Line line;
     auto add = [&](std::int32_t i, float thick) {
-      Vec3 at = position[static_cast<std::size_t>(i)];
+      Vec3 at = position[i];
       if (!line.at.empty() && glm::distance(line.at.back(), at) < 1e-6f) return;
       line.at.push_back(at);
       line.radius.push_back(thick);
       line.distance.push_back(rest.distance[i]);
       line.node.push_back(i == below ? start : i);
     };
-    float foot = radius[static_cast<std::size_t>(below)];
+    float foot = radius[below];
     // A branch leaves its parent little thicker than it goes on, or the fork would swell.
-    if (below != start - 1) foot = std::min(foot, 1.25f * radius[static_cast<std::size_t>(start)]);
+    if (below != start - 1) foot = std::min(foot, 1.25f * radius[start]);
     if (rest.birth[below] < front) add(below, foot);
-    for (std::int32_t i = start; i < stop && rest.birth[rest.parent[i]] < front; ++i)
-      add(i, radius[static_cast<std::size_t>(i)]);
+    for (std::int32_t i = start; i < stop && rest.birth[rest.parent[i]] < front; ++i) add(i, radius[i]);
     float thickest = line.radius.empty() ? 0 : std::ranges::max(line.radius);
     closer.add(line, grain > 0 ? std::clamp(round_sides(thickest, grain), 5, std::max(5, sides)) : sides);
     start = stop;

@@ -80,8 +80,7 @@ class BarkPainter {
     for (int cell = 0; cell < 9; ++cell) {
       int column = static_cast<int>(std::floor(x)) + cell % 3 - 1,
           row = static_cast<int>(std::floor(y)) + cell / 3 - 1;
-      Seed own = seed_.child("knot", static_cast<std::uint64_t>((row % rows + rows) % rows))
-                     .child(static_cast<std::uint64_t>((column % cells + cells) % cells));
+      Seed own = seed_.child("knot", (row % rows + rows) % rows).child((column % cells + cells) % cells);
       if (own.child(0).unit() > share) continue;
       // Their size is that of a branch rather than of the bark's features.
       double radius = (kScar.least + kScar.more * own.child(1).unit()) /
@@ -224,8 +223,7 @@ class BarkPainter {
     double x = u * columns, streak = 0;
     for (int near = -1; near <= 1; ++near) {
       int column = static_cast<int>(std::floor(x)) + near;
-      auto own = seed.child(static_cast<std::uint64_t>((row % rows + rows) % rows))
-                     .child(static_cast<std::uint64_t>((column % columns + columns) % columns));
+      auto own = seed.child((row % rows + rows) % rows).child((column % columns + columns) % columns);
       if (own.child(3).unit() > kind.share) continue;
       double half = 0.12 + 0.5 * own.child(0).unit(), middle = column + own.child(1).unit();
       double across = std::abs(x - middle) / half,

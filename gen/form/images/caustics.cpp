@@ -23,14 +23,14 @@ struct WaveTrain {
 std::array<WaveTrain, kWaves> waves_of(const Caustics& caustics) {
   std::array<WaveTrain, kWaves> waves;
   for (int i = 0; i < kWaves; ++i) {
-    Seed seed = Seed{71}.child("wave", static_cast<std::uint64_t>(i));
+    Seed seed = Seed{71}.child("wave", i);
     double length = 2.6 + 7.4 * i / (kWaves - 1);  // crests along a side
     double heading = 2 * kPi * (i * 0.381966 + 0.1 * seed.child("heading").unit());
     // Whole numbers of crests, so that the square fits on itself.
     double a = std::floor(length * std::cos(heading) + 0.5), b = std::floor(length * std::sin(heading) + 0.5);
     double crests = std::hypot(a, b);
     double speed = looping_rate(1.1 * std::sqrt(crests) / (2 * kPi), caustics.loop);  // turns a second
-    WaveTrain& wave = waves[static_cast<std::size_t>(i)];
+    WaveTrain& wave = waves[i];
     wave.x = 2 * kPi * a;
     wave.z = 2 * kPi * b;
     wave.power = caustics.focus * std::sqrt(3 / crests) / (4 * kPi * kPi * crests * crests);

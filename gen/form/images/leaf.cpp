@@ -46,9 +46,7 @@ double leaf_radius(const LeafOutline& o, double angle) {
   double x = std::min(a / kPi, 1.0) * (n - 1);
   int i = std::min(static_cast<int>(x), n - 2);
   double t = x - i;
-  auto at = [&](int k) {
-    return o.radii[static_cast<std::size_t>(k < 0 ? -k : k >= n ? 2 * (n - 1) - k : k)];
-  };
+  auto at = [&](int k) { return o.radii[k < 0 ? -k : k >= n ? 2 * (n - 1) - k : k]; };
   double p = at(i - 1), q = at(i), r = at(i + 1), s = at(i + 2);
   double value = q + 0.5 * t * (r - p + t * (2 * p - 5 * q + 4 * r - s + t * (3 * (q - r) + s - p)));
   if (o.teeth > 0 && o.tooth > 0) {
@@ -212,7 +210,7 @@ class Blade {
     // Main veins go to the lobes: where the rim is farthest out.
     auto n = static_cast<int>(o_.radii.size());
     for (int i = 1; i + 1 < n; ++i) {
-      auto at = [&](int k) { return o_.radii[static_cast<std::size_t>(k)]; };
+      auto at = [&](int k) { return o_.radii[k]; };
       bool lobe = true;  // and no tooth beside one
       int round = std::max(1, n / 9);
       for (int k = std::max(0, i - round); k <= std::min(n - 1, i + round); ++k)
@@ -232,11 +230,10 @@ class Blade {
   /// The colour there; it goes on beyond the rim. `pixel` is the side of one in the leaf's unit.
   Rgb color(Vec2 p, int index, double pixel) const {
     double away = out(p);
-    if (leaf_.photo)
-      return dried(photographed(p, pixel), p, away, seed_.child(static_cast<std::uint64_t>(index)), 0);
+    if (leaf_.photo) return dried(photographed(p, pixel), p, away, seed_.child(index), 0);
     if (away > 1 && on_stalk(p)) return glm::mix(rgb(leaf_.veins), rgb(leaf_.color), 0.3) * 0.9;
     double strength = veins(p, pixel);
-    Seed own = seed_.child(static_cast<std::uint64_t>(index));
+    Seed own = seed_.child(index);
     // Along a leaf go 5 blotches and 46 cells of the net of the finest veins.
     double blotch = tiling_fractal(p.x * 5 + 8, p.y * 5, 64, 64, 4, 0.6, own.child("blotch"));
     Cells net = tiling_cells(p.x * 46 + 64, p.y * 46, 512, 512, own.child("net"));

@@ -99,8 +99,7 @@ bool find_outline(LeafPhoto& photo) {
   for (int i = 0; i < kRadii; ++i)
     for (int ray = 0; ray < kRaysARadius; ++ray) {
       double angle = kPi * (i + (ray + 0.5) / kRaysARadius - 0.5) / (kRadii - 1);
-      for (int side : {1, -1})
-        radii[static_cast<std::size_t>(i)] += radius_of(cover, middle, side * angle) / (2 * kRaysARadius);
+      for (int side : {1, -1}) radii[i] += radius_of(cover, middle, side * angle) / (2 * kRaysARadius);
     }
   radii.back() = base - static_cast<double>(middle.y);
   if (radii.front() < 1 || radii.back() < 1) return false;

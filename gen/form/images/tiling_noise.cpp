@@ -45,7 +45,7 @@ double tiling_noise(double x, double y, int across, int along, Seed seed) {
 double tiling_fractal(double x, double y, int across, int along, int octaves, double gain, Seed seed) {
   double sum = 0, strength = 1, whole = 0;
   for (int i = 0; i < octaves; ++i) {
-    sum += strength * tiling_noise(x, y, across, along, seed.child(static_cast<std::uint64_t>(i)));
+    sum += strength * tiling_noise(x, y, across, along, seed.child(i));
     whole += strength;
     strength *= gain;
     x *= 2, y *= 2, across *= 2, along *= 2;

@@ -26,8 +26,7 @@ Surface block_surface(const Block& block) {
   float bevel = std::clamp(block.bevel, 1e-3f * least, 0.45f * least);
   std::array<std::vector<float>, 3> line;
   for (int axis = 0; axis < 3; ++axis)
-    line[static_cast<std::size_t>(axis)] =
-        lines(block.size[axis], bevel, std::max(1, block.parts[static_cast<std::size_t>(axis)]));
+    line[axis] = lines(block.size[axis], bevel, std::max(1, block.parts[axis]));
   Vec3 inner = block.size * 0.5f - bevel;
 
   // The points of the lattice that lie on its hull, each pulled in to the rounded box.

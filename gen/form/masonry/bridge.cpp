@@ -20,7 +20,7 @@ void lay_planks(const BridgeShape& shape, Bridge& bridge, double board, Seed see
   int count = std::max(1, static_cast<int>(std::lround(2 * half / (shape.plank + shape.gap))));
   double pitch = 2 * half / count, wide = std::max(pitch - shape.gap, 0.3 * pitch);
   for (int i = 0; i < count; ++i) {
-    Seed own = seed.child(static_cast<std::uint64_t>(i));
+    Seed own = seed.child(i);
     double play = std::min(kMostPlay, kMostPlayShare * shape.width),
            shorter = play * own.child("length").unit();
     double aside = shorter * own.child("aside").range(-0.5, 0.5);

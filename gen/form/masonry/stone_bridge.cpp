@@ -124,9 +124,7 @@ std::vector<double> joints(double from, double to, double size, bool shift, Seed
   double pitch = (to - from) / count;
   std::vector<double> cuts{from};
   for (int i = shift ? 0 : 1; i < count; ++i) {
-    double at =
-        from +
-        (i + (shift ? 0.5 : 0.0) + kUneven * seed.child(static_cast<std::uint64_t>(i)).range(-1, 1)) * pitch;
+    double at = from + (i + (shift ? 0.5 : 0.0) + kUneven * seed.child(i).range(-1, 1)) * pitch;
     if (at - from > kLeastPiece * pitch && to - at > kLeastPiece * pitch) cuts.push_back(at);
   }
   cuts.push_back(to);
@@ -162,7 +160,7 @@ void build_vault(const BridgeMason& m, Seed seed) {
   };
   for (int i = 0; i < count; ++i) {
     double from = length * i / count, to = length * (i + 1) / count;
-    course(i % 2 == 0, seed.child("course", static_cast<std::uint64_t>(i)),
+    course(i % 2 == 0, seed.child("course", i),
            [&](double near, double far, Seed own) { lay_voussoir(m, from, to, near, far, own); });
   }
   double deep = m.vault.spring + m.shape.foundation, joint = m.shape.gap / 2;
@@ -258,7 +256,7 @@ void build_deck(const BridgeMason& m, Seed seed) {
   int rows = std::max(1, static_cast<int>(std::lround(2 * half / m.shape.plank)));
   double joint = m.shape.gap / 2;
   for (int row = 0; row < rows; ++row) {
-    Seed own = seed.child("row", static_cast<std::uint64_t>(row));
+    Seed own = seed.child("row", row);
     std::vector<double> cuts =
         joints(-in, in, kPavingLength * m.shape.plank, row % 2 == 1, own.child("cuts"));
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
@@ -298,7 +296,7 @@ void build_parapets(const BridgeMason& m, Seed seed) {
         lay_row(m, BridgePart::wall,
                 {from, to, top * row / rows + (row > 0 ? 0.5 * m.shape.gap : 0),
                  top * (row + 1) / rows - 0.5 * m.shape.gap, near, far, kStoneBevel, 1, 1, true},
-                kStones.parapet_stone, row % 2 == 1, bay.child("course", static_cast<std::uint64_t>(row)));
+                kStones.parapet_stone, row % 2 == 1, bay.child("course", row));
       lay_row(m, BridgePart::hand_rail,
               {from, to, top, m.shape.rail_height, near - kStones.coping_out, far + kStones.coping_out,
                real(0.32 * coping), 1, 1, true},

@@ -64,7 +64,7 @@ class WallMason {
     wall_.hull = extruded(grid, s_.thickness / 2, 0);
     wall_.mortar = extruded(grid, s_.thickness / 2 - s_.recess, s_.recess);
     for (int row = 0; row < courses_; ++row)
-      for (const Run& run : rows[static_cast<std::size_t>(row)]) place_brick(grid, row, run);
+      for (const Run& run : rows[row]) place_brick(grid, row, run);
     for (const WallBlock& block : wall_.blocks)
       if (block.part == WallPart::stone) append_box(wall_.hull, block.middle, block.size);
     if (s_.coping && s_.ruin <= 0) lay_coping();
@@ -169,8 +169,7 @@ class WallMason {
 
   /// By its place to the millimetre.
   Seed brick_seed(int row, const Run& b) const {
-    return seed_.child("course", static_cast<std::uint64_t>(row))
-        .child(static_cast<std::uint64_t>(std::llround((b.left + s_.width) * 1000)));
+    return seed_.child("course", row).child(std::llround((b.left + s_.width) * 1000));
   }
 
   /// Which parts of the wall's face are solid, cut along all joints.
@@ -188,7 +187,7 @@ class WallMason {
       for (std::size_t i = 0; i + 1 < grid.x.size(); ++i) {
         double x = (grid.x[i] + grid.x[i + 1]) / 2;
         auto holds = [&](double left, double right) { return x > left && x < right; };
-        const auto& bricks = rows[static_cast<std::size_t>(row)];
+        const auto& bricks = rows[row];
         bool solid = std::ranges::any_of(bricks, [&](const Run& b) { return holds(b.left, b.right); });
         bool open = false;
         for (const Region& r : regions_) {
@@ -210,7 +209,7 @@ class WallMason {
                    !grid.at(run.right + kBeside, (row + 0.5) * course_);
     for (int leaf = 0; leaf < leaves_; ++leaf) {
       if (leaf != 0 && leaf != leaves_ - 1 && !outside) continue;
-      Seed own = brick_seed(row, run).child("leaf", static_cast<std::uint64_t>(leaf));
+      Seed own = brick_seed(row, run).child("leaf", leaf);
       bool at_left = !grid.at(run.left - kBeside, (row + 0.5) * course_);
       bool at_right = !grid.at(run.right + kBeside, (row + 0.5) * course_);
       double left = run.left + (at_left ? 0 : s_.joint / 2),
@@ -237,7 +236,7 @@ class WallMason {
       double step = length / count;
       for (int i = 0; i < count; ++i) {
         double x = run.left + (i + 0.5) * step;
-        Seed own = seed_.child("coping", static_cast<std::uint64_t>(std::llround((x + s_.width) * 1000)));
+        Seed own = seed_.child("coping", std::llround((x + s_.width) * 1000));
         float lean = static_cast<float>(s_.wear * kUnevenCoping.lean * own.child(1).range(-1, 1));
         Vec3 at(x, y + (s_.joint + high) / 2,
                 s_.wear * own.child(0).range(-kUnevenCoping.off, kUnevenCoping.off));

@@ -12,7 +12,7 @@ namespace frond {
 bool FaceGrid::cell(std::ptrdiff_t column, std::ptrdiff_t row) const {
   auto columns = static_cast<std::ptrdiff_t>(x.size()) - 1, rows = static_cast<std::ptrdiff_t>(y.size()) - 1;
   if (column < 0 || row < 0 || column >= columns || row >= rows) return false;
-  return solid[static_cast<std::size_t>(row * columns + column)];
+  return solid[row * columns + column];
 }
 
 bool FaceGrid::at(double along, double height) const {
@@ -33,8 +33,7 @@ Surface extruded(const FaceGrid& grid, double half, double inset) {
       // Toward the solid cells round the corner.
       int a = grid.cell(i - 1, j - 1), b = grid.cell(i, j - 1), c = grid.cell(i - 1, j), d = grid.cell(i, j);
       double right = std::clamp(b + d - a - c, -1, 1), up = std::clamp(c + d - a - b, -1, 1);
-      s.position.emplace_back(grid.x[static_cast<std::size_t>(i)] + inset * right,
-                              grid.y[static_cast<std::size_t>(j)] + inset * up, side ? half : -half);
+      s.position.emplace_back(grid.x[i] + inset * right, grid.y[j] + inset * up, side ? half : -half);
     }
     return place->second;
   };

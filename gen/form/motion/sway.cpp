@@ -117,7 +117,7 @@ class SwayMaker {
       slope[i] = (slope_p + sag) / (1 + b.righting);
       out_.give[i] = tilt[i] - tilt_p;
       y_[i] = y_p + b.length * (slope_p + slope[i]) / 2;
-      Sums& of = sums[static_cast<std::size_t>(out_.limb[i])];
+      Sums& of = sums[out_.limb[i]];
       double y = y_[i];
       of.work += kGravity * mass_[i] * y, of.inertia += mass_[i] * y * y, of.drag += area_[i] * y * y;
     }
@@ -199,9 +199,7 @@ class SwayMaker {
     out_.stem_second = mode_of(rate2 * own, own, drag_of(second, true));
     double reach = drag_of(second, false) / (rate2 * own);
     for (std::size_t i : stem_)
-      if (same_limb(i))
-        out_.second[i] =
-            static_cast<float>(reach * (slope[i] - slope[static_cast<std::size_t>(rest_.parent[i])]));
+      if (same_limb(i)) out_.second[i] = static_cast<float>(reach * (slope[i] - slope[rest_.parent[i]]));
   }
 
   void answer() {
@@ -210,7 +208,7 @@ class SwayMaker {
     std::size_t row = 0;
     for (const SwayLimb& limb : out_.limbs) {
       if (static_cast<std::size_t>(limb.gusts) != row) continue;
-      Vec3 at = rest_.position[static_cast<std::size_t>(limb.first)];
+      Vec3 at = rest_.position[limb.first];
       for (std::size_t k = 0; k < gusts.size(); ++k) {
         const Gust& g = gusts[k];
         std::complex<double> felt =
@@ -252,8 +250,7 @@ std::vector<float> leaf_areas(const Model& model) {
   const Organs& o = model.organs;
   for (std::size_t i = 0; i < o.size(); ++i) {
     if (o.node[i] == Skeleton::kRoot || (!o.loose.empty() && o.loose[i] > 0)) continue;
-    areas[static_cast<std::size_t>(o.node[i])] +=
-        static_cast<float>(shape[o.prototype[i]]) * o.scale[i].x * o.scale[i].y;
+    areas[o.node[i]] += static_cast<float>(shape[o.prototype[i]]) * o.scale[i].x * o.scale[i].y;
   }
   return areas;
 }
@@ -286,7 +283,7 @@ Quat WindLoads::turn(std::size_t i, const std::vector<Quat>& turns) const {
   std::int32_t p = rest_.parent[i];
   if (p == Skeleton::kRoot) return Quat(1, 0, 0, 0);
   const Quat& borne = turns[p];
-  float swing = swing_[static_cast<std::size_t>(sway_.limbs[static_cast<std::size_t>(sway_.limb[i])].gusts)];
+  float swing = swing_[sway_.limbs[static_cast<std::size_t>(sway_.limb[i])].gusts];
   float bend = pressure_ * (sway_.give[i] * (1 + power_ * swing) + sway_.second[i] * power_ * swing_.back());
   Vec3 segment = borne * (rest_.position[i] - rest_.position[p]);
   float length2 = glm::dot(segment, segment);
@@ -306,7 +303,7 @@ void WindLoads::set_flutter(Pose& pose) const {
   pose.flutter_phase = static_cast<float>(std::remainder(2 * kPi * rate * time_, 2 * kPi));
   pose.gusts.clear();
   for (const SwayLimb& limb : sway_.limbs)
-    pose.gusts.push_back(std::clamp(1 + kGusty * swing_[static_cast<std::size_t>(limb.gusts)], 0.2f, 2.5f));
+    pose.gusts.push_back(std::clamp(1 + kGusty * swing_[limb.gusts], 0.2f, 2.5f));
 }
 
 }  // namespace frond

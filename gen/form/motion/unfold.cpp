@@ -34,7 +34,7 @@ OrganPlace organ_place(const Model& model, const Motion& motion, const Pose& pos
   }
   if (float flutter = pose.flutter * (1 - loose); flutter > 0) {
     if (motion.sway && o.node[i] != Skeleton::kRoot)
-      flutter *= pose.gusts[static_cast<std::size_t>(motion.sway->limb[static_cast<std::size_t>(o.node[i])])];
+      flutter *= pose.gusts[motion.sway->limb[static_cast<std::size_t>(o.node[i])]];
     float phase = pose.flutter_phase + 2.39996f * static_cast<float>(o.id[i] % 4096);
     turn = turn * glm::angleAxis(flutter * std::sin(phase), Vec3(1, 0, 0)) *
            glm::angleAxis(0.7f * flutter * std::sin(phase + 1.1f), Vec3(0, 1, 0));

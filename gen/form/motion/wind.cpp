@@ -61,7 +61,7 @@ WindField wind_field(const Wind& wind, double film_length, Seed seed, std::vecto
   double step = std::pow(kFastest / slowest, 1.0 / (kMostGusts - 1)), sum = 0;
   for (int k = 0; k < kMostGusts; ++k) {
     double frequency = looping_rate(slowest * std::pow(step, k), field.film_length);
-    Seed own = seed.child(static_cast<std::uint64_t>(k));
+    Seed own = seed.child(k);
     double variance = karman(frequency, carried);  // of a band as wide as the step, which all share
     sum += variance;
     double number = 2 * kPi * frequency / carried, across = number * own.child(0).range(-kSlant, kSlant);

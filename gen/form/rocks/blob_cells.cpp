@@ -87,7 +87,7 @@ struct Cutter {
     for (int l = 0; l < level; ++l) {
       if (cells.cell[index].child < 0) {
         split(index);
-        parents[static_cast<std::size_t>(l)].push_back(index);
+        parents[l].push_back(index);
         if (!cells.cell[index].clear)
           for (std::size_t i = 0; i < 8; ++i)
             judge(cells.cell[static_cast<std::size_t>(cells.cell[index].child) + i]);

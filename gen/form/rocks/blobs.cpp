@@ -190,15 +190,14 @@ std::vector<Blob> random_blobs(const BlobChance& chance, Seed seed) {
   for (std::size_t i = 0; i < blobs.size(); ++i) {
     Seed own = seed.child("radius", i);
     for (int axis = 0; axis < 3; ++axis)
-      blobs[i].radius[axis] =
-          own.child(static_cast<std::uint64_t>(axis)).range(chance.least_radius, chance.most_radius);
+      blobs[i].radius[axis] = own.child(axis).range(chance.least_radius, chance.most_radius);
     box = glm::max(box, blobs[i].radius);
   }
   for (std::size_t i = 0; i < blobs.size(); ++i) {
     Seed own = seed.child("center", i);
     for (int axis = 0; axis < 3; ++axis) {
       double room = box[axis] / blobs[i].radius[axis] - 1;
-      blobs[i].center[axis] = own.child(static_cast<std::uint64_t>(axis)).range(-room, room);
+      blobs[i].center[axis] = own.child(axis).range(-room, room);
     }
   }
   return blobs;

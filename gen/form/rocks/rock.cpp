@@ -62,7 +62,7 @@ void break_off(Surface& rock, const RockShape& shape, Seed seed) {
   Vec3 middle(0);
   for (const Vec3& p : rock.position) middle += p / static_cast<float>(rock.position.size());
   for (int i = 0; i < w.facets; ++i) {
-    Seed own = seed.child("facet", static_cast<std::uint64_t>(i));
+    Seed own = seed.child("facet", i);
     Vec3 n = random_direction(own);
     float reach = 0;
     for (const Vec3& p : rock.position) reach = std::max(reach, glm::dot(p - middle, n));
@@ -77,7 +77,7 @@ double recess(const Vec3& p, const Vec3& up, double thickness, double size, Vec3
   double t = glm::dot(p, up) / thickness + 0.45 * noise(q * 1.6f) + 0.12 * noise(q * 7.0f);
   double layer = std::floor(t), part = t - layer;
   auto soft = [&](double number) {
-    return seed.child("layer", static_cast<std::uint64_t>(static_cast<std::int64_t>(number) + 100000)).unit();
+    return seed.child("layer", static_cast<std::int64_t>(number) + 100000).unit();
   };
   double own = soft(layer), below = soft(layer - 1);
   double depth = below + (own - below) * smooth_step(0.0, 0.22, part);
