@@ -57,6 +57,17 @@ std::vector<AxisNode> axis_nodes(const Model& model);
 /// For each node, the first node of its axis.
 std::vector<std::int32_t> axis_starts(const Branching& plant);
 
+/// Calls `visit(i)` for a node and all that hangs on it, parents first.
+template <class Visit>
+void for_beyond(std::span<const std::int32_t> parent, std::int32_t node, const Visit& visit) {
+  std::vector<std::uint8_t> beyond(parent.size());
+  beyond[node] = 1;
+  for (auto i = static_cast<std::size_t>(node); i < beyond.size(); ++i) {
+    if (parent[i] != Skeleton::kRoot && beyond[parent[i]]) beyond[i] = 1;
+    if (beyond[i]) visit(i);
+  }
+}
+
 /// A place on a plant: on the segment that ends at a node.
 struct BranchPlace {
   std::int32_t node = 0;

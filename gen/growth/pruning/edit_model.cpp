@@ -1,17 +1,16 @@
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 
 #include "core/keep.h"
 #include "foliage/organ_shapes.h"
 #include "pruning/edits.h"
-#include "pruning/keep_blades.h"
 
 namespace frond {
 
 namespace {
 
+constexpr const char* kSawn = "sawn";      // the prototype of wounds
 constexpr float kThinnestWound = 0.0012f;  // metres of radius
 const Color kRim{0.33f, 0.26f, 0.2f}, kSawnWood{0.62f, 0.47f, 0.31f};
 
@@ -29,6 +28,46 @@ Prototype sawn_shape() {
   Surface bark = turned({0.98f, 1.01f, 1.0f, 0.97f, 0.9f}, {-0.1f, 0.4f, 0.9f, 1.0f, 1.03f}),
           face = turned({0.91f, 0.6f, 0.3f, 0.1f, 0.0f}, {1.03f, 1.01f, 1.01f, 1.015f, 1.015f});
   return {kSawn, {{Tissue::skin, std::move(bark)}, {Tissue::heart, std::move(face)}}, {kRim}, kSawnWood};
+}
+
+/// Leaves out the blades that do not `stay`, with their points.
+void keep_blades(Blades& b, const std::vector<std::uint8_t>& stay) {
+  if (b.size() == 0) return;
+  std::vector<std::uint8_t> stay_point(b.surface.position.size());
+  std::vector<std::uint32_t> first{0}, point(stay_point.size());
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    for (std::uint32_t v = b.first[i]; v < b.first[i + 1]; ++v) stay_point[v] = stay[i];
+    if (stay[i]) first.push_back(first.back() + b.first[i + 1] - b.first[i]);
+  }
+  std::uint32_t next = 0;
+  for (std::size_t v = 0; v < point.size(); ++v) {
+    point[v] = next;
+    next += stay_point[v];
+  }
+  std::erase_if(b.surface.triangle, [&](const auto& t) { return !stay_point[t[0]]; });
+  for (auto& triangle : b.surface.triangle)
+    for (auto& corner : triangle) corner = point[corner];
+  keep(stay_point, b.surface.position, b.surface.normal, b.surface.uv);
+  keep(stay, b.node, b.birth, b.color, b.id, b.foot);
+  b.first = std::move(first);
+}
+
+/// For each node, the share of its segment, 0..1, from which on it is bare; above 1: it is bare nowhere.
+std::vector<float> bare_from(const Model& model, std::span<const Edit> edits) {
+  const std::vector<std::int32_t>& parent = model.skeleton.parent;
+  const std::vector<AxisNode> axes = axis_nodes(model);
+  const Branching plant{parent, axes};
+  const std::vector<std::int32_t> starts = axis_starts(plant);
+  std::vector<float> from(parent.size(), 2);
+  for (const Edit& edit : edits) {
+    if (!edit.bare) continue;
+    Result<BranchPlace> place = find_place(plant, starts, edit.at);
+    if (!place) continue;
+    const float within = std::min(from[place->node], place->within);
+    for_beyond(parent, place->node, [&](std::size_t i) { from[i] = 0; });
+    from[place->node] = within;
+  }
+  return from;
 }
 
 /// A model and what becomes of its nodes.
@@ -200,6 +239,50 @@ std::vector<float> edit_model(Model& model, std::span<const Edit> edits, std::sp
   strip_model(model, edits);
   if (to.any) ModelEditor(model, to).edit();
   return to.levers;
+}
+
+void strip_model(Model& model, std::span<const Edit> edits) {
+  if (std::ranges::none_of(edits, &Edit::bare)) return;
+  const Skeleton& s = model.skeleton;
+  const std::vector<float> from = bare_from(model, edits);
+  auto stays = [&](std::int32_t node, Vec3 at) -> std::uint8_t {
+    if (node == Skeleton::kRoot || from[node] > 1) return true;
+    if (from[node] <= 0 || s.parent[node] == Skeleton::kRoot) return false;
+    const Vec3 foot = s.position[s.parent[node]], along = s.position[node] - foot;
+    const float length2 = glm::dot(along, along);
+    return length2 > 0 && glm::dot(at - foot, along) / length2 < from[node];
+  };
+  Organs& o = model.organs;
+  std::vector<std::uint8_t> stay(o.size());
+  for (std::size_t i = 0; i < o.size(); ++i)
+    stay[i] = model.prototypes[o.prototype[i]].name == kSawn || stays(o.node[i], o.position[i]);
+  keep(stay, o.prototype, o.position, o.turn, o.scale, o.node, o.birth, o.color, o.id, o.loose, o.supple);
+  Blades& b = model.blades;
+  stay.resize(b.size());
+  for (std::size_t i = 0; i < b.size(); ++i) stay[i] = stays(b.node[i], b.foot[i]);
+  keep_blades(b, stay);
+}
+
+void color_barks(Model& model, std::span<const Edit> edits, std::size_t colors) {
+  if (std::ranges::none_of(edits, [](const Edit& edit) { return edit.bark.has_value(); })) return;
+  const std::vector<std::int32_t>& parent = model.skeleton.parent;
+  const std::vector<AxisNode> axes = axis_nodes(model);
+  const Branching plant{parent, axes};
+  const std::vector<std::int32_t> starts = axis_starts(plant);
+  model.color.resize(parent.size());
+  // An index goes round and round among the plant's own colours, which are no longer all.
+  for (std::int32_t& color : model.color) color = static_cast<std::int32_t>(color_index(color, colors));
+  auto next = static_cast<std::int32_t>(colors);
+  for (const Edit& edit : edits) {
+    if (!edit.bark) continue;
+    const std::int32_t own = next++;
+    Result<BranchPlace> place = find_place(plant, starts, edit.at);
+    if (!place) continue;
+    // A segment is of one colour: that of the larger part of it.
+    const std::int32_t kept = model.color[place->node];
+    for_beyond(parent, place->node, [&](std::size_t i) { model.color[i] = own; });
+    if (place->within >= 0.5f) model.color[place->node] = kept;
+  }
 }
 
 }  // namespace frond

@@ -20,14 +20,13 @@ namespace frond {
 /// What is done to one place: one of `cut`, `bend`, `strength`, `bare` and `bark` is given.
 struct Edit {
   Address at;
-  std::optional<std::size_t> plant =
-      {};                               ///< only of that planting of its entry, counted from 0; none: of all
-  std::optional<double> cut = {};       ///< at the end of that year of its life; 0: whenever it is seen
-  std::optional<Vec3> bend = {};        ///< metres in the plant's own frame, by which the place is pulled
-  std::optional<double> strength = {};  ///< factor of length and thickness of all that is beyond the place
-  bool bare = false;                    ///< what is beyond the place bears no leaves, flowers or fruit
-  std::optional<BarkChange> bark = {};  ///< what is beyond the place wears in place of the plant's bark
-  std::size_t number = 0;               ///< its place in the list, for messages
+  std::optional<std::size_t> plant = {};  ///< only of that planting of its entry, from 0; none: of all
+  std::optional<double> cut = {};         ///< at the end of that year of its life; 0: whenever it is seen
+  std::optional<Vec3> bend = {};          ///< metres in the plant's own frame, by which the place is pulled
+  std::optional<double> strength = {};    ///< factor of length and thickness of all that is beyond the place
+  bool bare = false;                      ///< what is beyond the place bears no leaves, flowers or fruit
+  std::optional<BarkChange> bark = {};    ///< what is beyond the place wears in place of the plant's bark
+  std::size_t number = 0;                 ///< its place in the list, for messages
 
   /// Whether it takes effect while the plant grows.
   bool dated() const { return cut.value_or(0) > 0; }
@@ -60,7 +59,7 @@ struct Reshaped {
 };
 
 /// Edits that are not dated, on nodes with these positions and radii. A cut at the foot of a branch leaves
-/// its collar on what bore it. A bend keeps lengths, see bend.h. `levers`: of the same edits on the whole
+/// its collar on what bore it. A bend keeps lengths. `levers`: of the same edits on the whole
 /// plant, where this is a part of it that has grown so far: it is bent in proportion.
 Reshaped reshape(const Branching& plant, std::span<const Vec3> position, std::span<const float> radius,
                  std::span<const Edit> edits, std::span<const float> levers = {});

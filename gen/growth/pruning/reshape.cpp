@@ -2,7 +2,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "pruning/bend.h"
 #include "pruning/edits.h"
 
 namespace frond {
@@ -13,6 +12,81 @@ constexpr float kCollar = 0.6f;  // radii of a branch that are left of it, beyon
 constexpr float kStumpHeight = 1.0f;  // radii of a stem that are left of it
 constexpr float kLeastSine = 0.4f;    // of the angle between a branch and what bears it
 constexpr float kLeastPiece = 0.05f;  // of a segment that is cut
+
+constexpr int kMostLoads = 400;
+constexpr double kMostTurn = 0.08;   // radians at a joint by one load
+constexpr double kNear = 2e-5;       // of the length: so near to the target it is there
+constexpr float kWired = 1.0f / 3;   // of the thickest radius
+constexpr double kDamping = 1e-3;    // of the compliance, along what cannot give way
+constexpr double kStraight = 0.95;   // square of the share of its length that a straight limb reaches
+constexpr double kLeastGain = 1e-4;  // of the distance to the target, by which a load has to lessen it
+
+using DQuat = glm::dquat;
+
+/// The force that moves the place by `error`: its compliance is the sum of c (|q|^2 - q q^T) of all joints.
+DVec3 force_for(DVec3 error, std::span<const DVec3> lever, std::span<const double> compliance) {
+  glm::dmat3 a(0);
+  for (std::size_t k = 0; k < lever.size(); ++k) {
+    const DVec3 q = lever[k];
+    a += compliance[k] * (glm::dmat3(glm::dot(q, q)) - glm::outerProduct(q, q));
+  }
+  const double mean = (a[0][0] + a[1][1] + a[2][2]) / 3;
+  if (!(mean > 0)) return DVec3(0);
+  return glm::inverse(a + glm::dmat3(kDamping * mean)) * error;
+}
+
+/// The turns of the segments of a limb that is pulled by a force at one place, as a beam that is clamped at
+/// its foot: by M l / (E I), with the moment M of the force at each joint and I ~ r^4 of round wood (Gere and
+/// Timoshenko 1997, Mechanics of Materials), so that the place moves by about `by`, or as near as the length
+/// allows. Large bends are made of many small loads, each on the shape that the ones before have left. Wood
+/// thinner than a third of the thickest is taken for as stiff as that: a wire holds it. `nodes`: the clamp
+/// first; `radius`: of each segment, one less; the place is `within` the last segment.
+std::vector<Quat> bend_turns(std::span<const Vec3> nodes, std::span<const float> radius, float within,
+                             Vec3 by) {
+  const std::size_t n = radius.size();
+  assert(nodes.size() == n + 1 && n > 0);
+  const float thickest = *std::ranges::max_element(radius);
+  std::vector<DVec3> offset(n), lever(n);
+  std::vector<double> compliance(n);
+  double length = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    offset[k] = DVec3(nodes[k + 1] - nodes[k]) * (k + 1 == n ? double{within} : 1.0);
+    const double l = glm::length(offset[k]);
+    compliance[k] = l / std::pow(std::max(radius[k], kWired * thickest) / thickest, 4);
+    length += l;
+  }
+  std::vector<DQuat> turn(n, DQuat(1, 0, 0, 0));
+  DVec3 target(by);
+  for (const DVec3& o : offset) target += o;
+  target *= std::min(1.0, length / std::max(glm::length(target), 1e-12));
+  double before = HUGE_VAL;
+  for (int load = 0; load < kMostLoads; ++load) {
+    DVec3 place(0);
+    for (std::size_t k = n; k-- > 0;) lever[k] = place += turn[k] * offset[k];
+    DVec3 error = target - place;
+    // A pull along a limb that is nearly straight would stretch it: no wire does that.
+    const double chord2 = glm::dot(place, place), along = glm::dot(error, place);
+    if (along > 0 && chord2 > kStraight * length * length) error -= place * (along / chord2);
+    const double far = glm::length(error);
+    if (far < kNear * length || far > before * (1 - kLeastGain)) break;
+    before = far;
+    const DVec3 force = force_for(error, lever, compliance);
+    double most = 0;
+    for (std::size_t k = 0; k < n; ++k)
+      most = std::max(most, compliance[k] * glm::length(glm::cross(lever[k], force)));
+    const double step = most > kMostTurn ? kMostTurn / most : 1;
+    DQuat carried(1, 0, 0, 0);
+    for (std::size_t k = 0; k < n; ++k) {
+      const DVec3 angle = glm::cross(lever[k], force) * (compliance[k] * step);
+      if (const double size = glm::length(angle); size > 1e-12)
+        carried = carried * glm::angleAxis(size, angle / size);
+      turn[k] = glm::normalize(carried * turn[k]);
+    }
+  }
+  std::vector<Quat> result;
+  for (const DQuat& q : turn) result.emplace_back(q);
+  return result;
+}
 
 /// The edits of a plant, one after the other.
 class Shaper {
@@ -52,20 +126,8 @@ class Shaper {
     return std::nullopt;
   }
 
-  /// Calls for a node and all that hangs on it, parents first.
-  template <class Visit>
-  void for_beyond(std::int32_t node, const Visit& visit) {
-    std::vector<std::uint8_t> beyond(rest_.size());
-    beyond[node] = 1;
-    for (auto i = static_cast<std::size_t>(node); i < beyond.size(); ++i) {
-      const std::int32_t p = plant_.parent[i];
-      if (p != Skeleton::kRoot && beyond[p]) beyond[i] = 1;
-      if (beyond[i]) visit(i);
-    }
-  }
-
   void strengthen(BranchPlace place, double by) {
-    for_beyond(place.node, [&](std::size_t i) { out_.factor[i] *= static_cast<float>(by); });
+    for_beyond(plant_.parent, place.node, [&](std::size_t i) { out_.factor[i] *= static_cast<float>(by); });
     out_.any = true;
   }
 
@@ -156,10 +218,11 @@ class Shaper {
     const float least = collar(start);
     BranchPlace at = along < least ? place_along(start, least) : place;
     if (at.node == Skeleton::kRoot) {
-      for_beyond(start, [&](std::size_t i) { out_.gone[i] = plant_.parent[i] != Skeleton::kRoot; });
+      for_beyond(plant_.parent, start,
+                 [&](std::size_t i) { out_.gone[i] = plant_.parent[i] != Skeleton::kRoot; });
       return;
     }
-    for_beyond(at.node, [&](std::size_t i) {
+    for_beyond(plant_.parent, at.node, [&](std::size_t i) {
       if (static_cast<std::int32_t>(i) != at.node) out_.gone[i] = 1;
     });
     at.within = std::max(at.within, kLeastPiece);
