@@ -1,9 +1,6 @@
 #include "grove/bodies.h"
 
-#include <algorithm>
-#include <array>
 #include <cassert>
-#include <cmath>
 
 #include "core/bounds.h"
 #include "core/triangle.h"

@@ -6,7 +6,6 @@
 
 #include "core/bytes.h"
 #include "core/parallel.h"
-#include "grove/aside.h"
 #include "grove/edit_tree.h"
 #include "grove/metamers.h"
 #include "grove/resource.h"
@@ -23,14 +22,21 @@ constexpr float kBreastHeight = 1.3f;  // metres, at which foresters measure ste
 constexpr std::size_t kBytesAMetamer = 2 * sizeof(Vec3) + 2 * sizeof(std::int32_t) + 7 * sizeof(float) + 2 +
                                        sizeof(Shade) + 9 * sizeof(float) + 1;
 
-/// What a metamer was when it fell.
-struct Fallen {
+/// A metamer as it is, or as it was when it fell.
+struct Part {
   Vec3 tip, side;
-  std::uint32_t serial, parent;
+  std::uint32_t serial, parent;  // the foot is its own parent
   float born, died, fell, pipe, light;
   std::uint8_t order;
-  bool regrown;
+  bool leads, regrown;
 };
+
+Part part_of(const Metamers& m, std::size_t i, float fell) {
+  std::size_t p = m.parent[i] == Metamers::kRoot ? i : static_cast<std::size_t>(m.parent[i]);
+  bool leads = fell == Metamers::kNever && m.has(i, Metamers::leading);
+  return {m.tip[i], m.side[i], m.serial[i], m.serial[p], m.born[i], std::min(m.died[i], fell),
+          fell,     m.pipe[i], m.light[i],  m.order[i],  leads,     m.has(i, Metamers::regrown)};
+}
 
 /// The pipes of the metamers that stood at the end of a year.
 struct YearRings {
@@ -42,15 +48,9 @@ struct Tree {
   const Seedling* seedling = nullptr;
   Metamers living;
   std::uint32_t serial = 1;
-  std::vector<Fallen> fallen;
-  std::vector<Scar> scars;    // `on` is a serial as yet
-  std::vector<SawnEnd> cuts;  // the same
-  std::vector<std::string> notes;
+  std::vector<Part> fallen;
   std::vector<YearRings> rings;
-  std::vector<Size> sizes;
-  std::size_t broken = 0, bytes = 0;
-  int stem_broke = -1;
-  Uprooting uprooting;
+  GrownTree grown;  // but for its internodes; `on` of scars and cuts is a serial as yet
 };
 
 void plant(Tree& tree) {
@@ -73,7 +73,7 @@ std::vector<Shade> shades_of(const Tree& tree, const LightLaw& law, int year) {
   const Metamers& m = tree.living;
   const Species& s = tree.seedling->species;
   std::vector<Shade> list;
-  if (tree.uprooting.happens()) return list;  // what lies on the ground shades nobody
+  if (tree.grown.uprooting.happens()) return list;  // what lies on the ground shades nobody
   bool filling = law.fading == Fading::even;
   float leafy = shade_amount(law, s.leaf_area, 0);
   for (std::size_t i = 1; i < m.size(); ++i) {
@@ -111,14 +111,15 @@ void scar(Tree& tree, std::size_t i, float time) {
   const Wood& wood = tree.seedling->species.wood;
   float radius = pipe_radius(wood, m.pipe[i]);
   if (!m.has(i, Metamers::side_shoot) || radius < kBough * static_cast<float>(wood.twig_radius)) return;
-  tree.scars.push_back({m.serial[p], m.heading(i), radius, pipe_radius(wood, m.pipe[p]), time, m.serial[i]});
+  tree.grown.scars.push_back(
+      {m.serial[p], m.heading(i), radius, pipe_radius(wood, m.pipe[p]), time, m.serial[i]});
 }
 
 void drop(Tree& tree, const Falls& falls, bool history) {
   assert(falls.time.size() == tree.living.size());
   assert(falls.time[0] == Metamers::kNever && "the foot never falls");
   Metamers& m = tree.living;
-  tree.broken += falls.broken;
+  tree.grown.broken += falls.broken;
   std::vector<std::uint8_t> stay(m.size());
   std::size_t gone = 0;
   for (std::size_t i = 0; i < m.size(); ++i) {
@@ -127,10 +128,7 @@ void drop(Tree& tree, const Falls& falls, bool history) {
     ++gone;
     auto p = static_cast<std::size_t>(m.parent[i]);
     if (falls.time[p] == Metamers::kNever) scar(tree, i, falls.time[i]);
-    if (!history) continue;
-    tree.fallen.push_back({m.tip[i], m.side[i], m.serial[i], m.serial[p], m.born[i],
-                           std::min(m.died[i], falls.time[i]), falls.time[i], m.pipe[i], m.light[i],
-                           m.order[i], m.has(i, Metamers::regrown)});
+    if (history) tree.fallen.push_back(part_of(m, i, falls.time[i]));
   }
   // A stem that has lost its leader goes on from its buds, the dead nowhere.
   if (gone > 0) m.keep(stay);
@@ -148,12 +146,43 @@ Size size_of(const Metamers& m, const Wood& wood) {
   return size;
 }
 
+/// Moves every tip to where the detour lets it be, by the radius that its internode has now, and what it
+/// bears with it: a stem that thickens beside a wall is pushed off it. Of this year's shoots, metamers
+/// `first` and after, those of branches that would turn by more than 60 degrees are taken off, and what has
+/// no way on.
+void bend_aside(Metamers& t, const Wood& wood, const Detour& detour, std::size_t first) {
+  constexpr float kMostTurned = 0.5f;  // cosine of the angle that a branch's new shoot bends aside at most
+  assert(first <= t.size());
+  std::vector<Vec3> shift(t.size(), Vec3(0));
+  std::vector<std::uint8_t> stay(t.size(), 1);
+  bool all = true;
+  for (std::size_t i = 1; i < t.size(); ++i) {
+    auto p = static_cast<std::size_t>(t.parent[i]);
+    Vec3 from = t.tip[p], to = t.tip[i] + shift[p];
+    std::optional<Vec3> way;
+    if (stay[p]) way = detour(from, to, pipe_radius(wood, t.pipe[i]) + kBarkGap);
+    bool turned =
+        way && t.order[i] > 0 &&
+        glm::dot(*way - from, to - from) < kMostTurned * glm::length(*way - from) * glm::length(to - from);
+    if (i >= first && (!way || turned)) {
+      stay[i] = 0;
+      all = false;
+      continue;
+    }
+    to = way.value_or(to);
+    shift[i] = to - t.tip[i];
+    t.tip[i] = to;
+  }
+  if (!all) t.keep(stay);
+}
+
 void live_a_year(Tree& tree, const LightField& field, const GroveOptions& options, const Weather& storm,
                  int year) {
   const Seedling& seedling = *tree.seedling;
   const Species& s = seedling.species;
   if (year < seedling.planted) return;
-  if (tree.uprooting.happens()) return tree.sizes.push_back({0, 0, tree.sizes.back().internodes});
+  if (tree.grown.uprooting.happens())
+    return tree.grown.sizes.push_back({0, 0, tree.grown.sizes.back().internodes});
   if (tree.living.size() == 0) plant(tree);
   Metamers& m = tree.living;
   Season season{s, field, seedling.seed, year, seedling.guide};
@@ -179,15 +208,15 @@ void live_a_year(Tree& tree, const LightField& field, const GroveOptions& option
   brace(m, s.wood, strain);
   Falls falls = find_falls(m, s, strain, seedling.seed, year);
   prune(m, pruned_in(options.dates, year, seedling.name), seedling.seed, year, falls);
-  for (std::size_t end : saw(m, seedling.cuts, year, falls, tree.notes))
-    tree.cuts.push_back({m.serial[end], static_cast<float>(year + 1)});
-  if (falls.stem && tree.stem_broke < 0) tree.stem_broke = year;
+  for (std::size_t end : saw(m, seedling.cuts, year, falls, tree.grown.notes))
+    tree.grown.cuts.push_back({m.serial[end], static_cast<float>(year + 1)});
+  if (falls.stem && tree.grown.stem_broke < 0) tree.grown.stem_broke = year;
   if (options.history) tree.rings.push_back({m.serial, m.pipe});
-  tree.bytes = std::max(tree.bytes, m.size() * kBytesAMetamer);
+  tree.grown.bytes = std::max(tree.grown.bytes, m.size() * kBytesAMetamer);
   drop(tree, falls, options.history);
-  tree.sizes.push_back(size_of(m, s.wood));
-  tree.uprooting = uprooting_of(m, s, storm, year);
-  if (tree.uprooting.happens()) die(m, tree.uprooting.time);
+  tree.grown.sizes.push_back(size_of(m, s.wood));
+  tree.grown.uprooting = uprooting_of(m, s, storm, year);
+  if (tree.grown.uprooting.happens()) die(m, tree.grown.uprooting.time);
 }
 
 /// Fells trees as the events of a year say.
@@ -195,21 +224,21 @@ void fell(std::vector<Tree>& trees, const GroveOptions& options, int year) {
   if (options.dates.events.empty()) return;
   std::vector<FellingTree> may_fall;
   for (const Tree& tree : trees)
-    may_fall.push_back(
-        {tree.seedling->name, tree.seedling->seed, tree.living.size() > 1 && !tree.uprooting.happens()});
+    may_fall.push_back({tree.seedling->name, tree.seedling->seed,
+                        tree.living.size() > 1 && !tree.grown.uprooting.happens()});
   std::vector<std::uint8_t> felled = felled_in(options.dates, year, may_fall, options.seed);
   for (std::size_t i = 0; i < trees.size(); ++i) {
     if (!felled[i]) continue;
     Tree& tree = trees[i];
-    tree.uprooting = felling_of(tree.living, tree.seedling->species, options.dates.toward, year);
-    die(tree.living, tree.uprooting.time);
+    tree.grown.uprooting = felling_of(tree.living, tree.seedling->species, options.dates.toward, year);
+    die(tree.living, tree.grown.uprooting.time);
   }
 }
 
 /// The number of internodes that stand on all trees.
 std::size_t internodes_of(const std::vector<Tree>& trees) {
   std::size_t sum = 0;
-  for (const Tree& tree : trees) sum += tree.sizes.empty() ? 0 : tree.sizes.back().internodes;
+  for (const Tree& tree : trees) sum += tree.grown.sizes.empty() ? 0 : tree.grown.sizes.back().internodes;
   return sum;
 }
 
@@ -233,65 +262,33 @@ void add_rings(GrownTree& g, const std::vector<YearRings>& rings, const std::vec
 GrownTree grown_tree(Tree& tree) {
   const Wood& wood = tree.seedling->species.wood;
   const Metamers& m = tree.living;
-  GrownTree g;
+  GrownTree g = std::move(tree.grown);
   g.grown = tree.serial - 1;
-  g.broken = tree.broken;
-  g.stem_broke = tree.stem_broke;
-  g.uprooting = tree.uprooting;
-  g.bytes = tree.bytes;
-  g.sizes = std::move(tree.sizes);
-
-  std::sort(tree.fallen.begin(), tree.fallen.end(),
-            [](const Fallen& a, const Fallen& b) { return a.serial < b.serial; });
+  std::vector<Part> parts = std::move(tree.fallen);
+  for (std::size_t i = 0; i < m.size(); ++i) parts.push_back(part_of(m, i, GrownTree::kNever));
+  std::ranges::sort(parts, {}, &Part::serial);
   std::vector<std::int32_t> index(tree.serial, GrownTree::kRoot);
-  auto add = [&](Vec3 tip, Vec3 side, std::uint32_t serial, std::int32_t parent, float pipe) {
-    assert(serial < index.size() && index[serial] == GrownTree::kRoot && "each is born once");
-    assert(parent < static_cast<std::int32_t>(g.tip.size()) && "parents are older than children");
-    index[serial] = static_cast<std::int32_t>(g.tip.size());
-    g.tip.push_back(tip);
-    g.side.push_back(side);
-    g.parent.push_back(parent);
-    g.radius.push_back(pipe_radius(wood, pipe));
-  };
-  std::vector<std::uint32_t> by_serial(m.size());
-  for (std::size_t i = 0; i < m.size(); ++i) by_serial[i] = static_cast<std::uint32_t>(i);
-  std::sort(by_serial.begin(), by_serial.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return m.serial[a] < m.serial[b]; });
-  auto fallen = tree.fallen.begin();
-  auto add_fallen = [&] {
-    const Fallen& f = *fallen++;
-    add(f.tip, f.side, f.serial, index[f.parent], f.pipe);
-    g.born.push_back(f.born);
-    g.died.push_back(f.died);
-    g.fell.push_back(f.fell);
-    g.light.push_back(f.light);
-    g.order.push_back(f.order);
-    g.leads.push_back(false);
-    if (f.regrown) g.regrown.push_back(static_cast<std::uint32_t>(g.size() - 1));
-  };
-  for (std::uint32_t i : by_serial) {
-    while (fallen != tree.fallen.end() && fallen->serial < m.serial[i]) add_fallen();
-    add(m.tip[i], m.side[i], m.serial[i],
-        m.parent[i] == Metamers::kRoot ? GrownTree::kRoot : index[m.serial[m.parent[i]]], m.pipe[i]);
-    g.born.push_back(m.born[i]);
-    g.died.push_back(m.died[i]);
-    g.fell.push_back(GrownTree::kNever);
-    g.light.push_back(m.light[i]);
-    g.order.push_back(m.order[i]);
-    g.leads.push_back(m.has(i, Metamers::leading));
-    if (m.has(i, Metamers::regrown)) g.regrown.push_back(static_cast<std::uint32_t>(g.size() - 1));
+  for (const Part& part : parts) {
+    assert(part.serial < index.size() && index[part.serial] == GrownTree::kRoot && "each is born once");
+    assert((part.parent == part.serial || index[part.parent] != GrownTree::kRoot) && "parents are older");
+    g.parent.push_back(index[part.parent]);
+    index[part.serial] = static_cast<std::int32_t>(g.size());
+    g.tip.push_back(part.tip);
+    g.side.push_back(part.side);
+    g.radius.push_back(pipe_radius(wood, part.pipe));
+    g.born.push_back(part.born);
+    g.died.push_back(part.died);
+    g.fell.push_back(part.fell);
+    g.light.push_back(part.light);
+    g.order.push_back(part.order);
+    g.leads.push_back(part.leads);
+    if (part.regrown) g.regrown.push_back(static_cast<std::uint32_t>(g.size() - 1));
   }
-  while (fallen != tree.fallen.end()) add_fallen();
-  for (Scar s : tree.scars) {
-    if (index[s.on] == GrownTree::kRoot) continue;
-    s.on = static_cast<std::uint32_t>(index[s.on]);
-    g.scars.push_back(s);
-  }
-
-  for (const SawnEnd& cut : tree.cuts)
-    if (index[cut.on] != GrownTree::kRoot)
-      g.cuts.push_back({static_cast<std::uint32_t>(index[cut.on]), cut.time});
-  g.notes = std::move(tree.notes);
+  auto settle = [&](auto& places) {
+    std::erase_if(places, [&](const auto& place) { return index[place.on] == GrownTree::kRoot; });
+    for (auto& place : places) place.on = static_cast<std::uint32_t>(index[place.on]);
+  };
+  settle(g.scars), settle(g.cuts);
   g.axes = axis_nodes(g);  // once, and not for each moment of a film
 
   if (tree.rings.empty()) return g;

@@ -6,7 +6,6 @@
 #include "core/seed.h"
 #include "grove/dates.h"
 #include "grove/light.h"
-#include "grove/saw.h"
 #include "grove/species.h"
 #include "grove/uproot.h"
 #include "grove/wood.h"
