@@ -15,7 +15,7 @@ namespace frond {
 namespace {
 
 struct Target {
-  ArbaroSpecies& species;
+  WeberPenn& tree;
   StemLevel* level = nullptr;  // of a parameter whose name begins with a digit
 };
 
@@ -33,41 +33,38 @@ constexpr double kAny = 1e9, kSome = 1e-6;
 CrownShape shape_of(double v) { return static_cast<CrownShape>(static_cast<int>(v)); }
 
 constexpr Parameter kParameters[] = {
-    {"Shape", false, true, 0, 8, [](Target t, double v) { t.species.tree.shape = shape_of(v); }},
-    {"Levels", false, true, 1, 9, [](Target t, double v) { t.species.tree.levels = static_cast<int>(v); }},
-    {"Scale", false, false, kSome, 1000, [](Target t, double v) { t.species.tree.scale = v; }},
-    {"ScaleV", false, false, 0, 1000, [](Target t, double v) { t.species.tree.scale_v = v; }},
-    {"ZScale", false, false, kSome, 100, [](Target t, double v) { t.species.tree.z_scale = v; }},
-    {"ZScaleV", false, false, 0, 100, [](Target t, double v) { t.species.tree.z_scale_v = v; }},
-    {"BaseSize", false, false, 0, 1, [](Target t, double v) { t.species.tree.base_size = v; }},
-    {"Ratio", false, false, kSome, 10, [](Target t, double v) { t.species.tree.ratio = v; }},
-    {"RatioPower", false, false, -10, 10, [](Target t, double v) { t.species.tree.ratio_power = v; }},
-    {"Flare", false, false, -1, 100, [](Target t, double v) { t.species.tree.flare = v; }},
-    {"Lobes", false, true, 0, 1000, [](Target t, double v) { t.species.tree.lobes = static_cast<int>(v); }},
-    {"LobeDepth", false, false, 0, 1, [](Target t, double v) { t.species.tree.lobe_depth = v; }},
-    {"Leaves", false, true, -100000, 100000, [](Target t, double v) { t.species.tree.leaves = v; }},
-    {"LeafScale", false, false, kSome, 100, [](Target t, double v) { t.species.tree.leaf_scale = v; }},
-    {"LeafScaleX", false, false, kSome, 100, [](Target t, double v) { t.species.tree.leaf_scale_x = v; }},
-    {"LeafBend", false, false, 0, 1, [](Target t, double v) { t.species.tree.leaf_bend = v; }},
-    {"LeafStemLen", false, false, -100, 100, [](Target t, double v) { t.species.tree.leaf_stem_length = v; }},
-    {"LeafDistrib", false, true, 0, 8,
-     [](Target t, double v) { t.species.tree.leaf_distribution = shape_of(v); }},
-    {"LeafQuality", false, false, kSome, 1, [](Target t, double v) { t.species.tree.leaf_quality = v; }},
+    {"Shape", false, true, 0, 8, [](Target t, double v) { t.tree.shape = shape_of(v); }},
+    {"Levels", false, true, 1, 9, [](Target t, double v) { t.tree.levels = static_cast<int>(v); }},
+    {"Scale", false, false, kSome, 1000, [](Target t, double v) { t.tree.scale = v; }},
+    {"ScaleV", false, false, 0, 1000, [](Target t, double v) { t.tree.scale_v = v; }},
+    {"ZScale", false, false, kSome, 100, [](Target t, double v) { t.tree.z_scale = v; }},
+    {"ZScaleV", false, false, 0, 100, [](Target t, double v) { t.tree.z_scale_v = v; }},
+    {"BaseSize", false, false, 0, 1, [](Target t, double v) { t.tree.base_size = v; }},
+    {"Ratio", false, false, kSome, 10, [](Target t, double v) { t.tree.ratio = v; }},
+    {"RatioPower", false, false, -10, 10, [](Target t, double v) { t.tree.ratio_power = v; }},
+    {"Flare", false, false, -1, 100, [](Target t, double v) { t.tree.flare = v; }},
+    {"Lobes", false, true, 0, 1000, [](Target t, double v) { t.tree.lobes = static_cast<int>(v); }},
+    {"LobeDepth", false, false, 0, 1, [](Target t, double v) { t.tree.lobe_depth = v; }},
+    {"Leaves", false, true, -100000, 100000, [](Target t, double v) { t.tree.leaves = v; }},
+    {"LeafScale", false, false, kSome, 100, [](Target t, double v) { t.tree.leaf_scale = v; }},
+    {"LeafScaleX", false, false, kSome, 100, [](Target t, double v) { t.tree.leaf_scale_x = v; }},
+    {"LeafBend", false, false, 0, 1, [](Target t, double v) { t.tree.leaf_bend = v; }},
+    {"LeafStemLen", false, false, -100, 100, [](Target t, double v) { t.tree.leaf_stem_length = v; }},
+    {"LeafDistrib", false, true, 0, 8, [](Target t, double v) { t.tree.leaf_distribution = shape_of(v); }},
+    {"LeafQuality", false, false, kSome, 1, [](Target t, double v) { t.tree.leaf_quality = v; }},
     {"Smooth", false, false, 0, 1, [](Target, double) {}},
-    {"AttractionUp", false, false, -100, 100, [](Target t, double v) { t.species.tree.attraction_up = v; }},
-    {"PruneRatio", false, false, 0, 1, [](Target t, double v) { t.species.tree.pruning.ratio = v; }},
-    {"PruneWidth", false, false, 0, 10, [](Target t, double v) { t.species.tree.pruning.width = v; }},
-    {"PruneWidthPeak", false, false, 0, 1, [](Target t, double v) { t.species.tree.pruning.width_peak = v; }},
-    {"PrunePowerLow", false, false, 0, 100, [](Target t, double v) { t.species.tree.pruning.power_low = v; }},
-    {"PrunePowerHigh", false, false, 0, 100,
-     [](Target t, double v) { t.species.tree.pruning.power_high = v; }},
-    {"0Scale", false, false, kSome, 100, [](Target t, double v) { t.species.tree.trunk_scale = v; }},
-    {"0ScaleV", false, false, 0, 100, [](Target t, double v) { t.species.tree.trunk_scale_v = v; }},
-    {"0Branches", false, true, 1, 1000,
-     [](Target t, double v) { t.species.tree.trunks = static_cast<int>(v); }},
-    {"0BranchDist", false, false, 0, 1000, [](Target t, double v) { t.species.tree.trunk_spread = v; }},
+    {"AttractionUp", false, false, -100, 100, [](Target t, double v) { t.tree.attraction_up = v; }},
+    {"PruneRatio", false, false, 0, 1, [](Target t, double v) { t.tree.pruning.ratio = v; }},
+    {"PruneWidth", false, false, 0, 10, [](Target t, double v) { t.tree.pruning.width = v; }},
+    {"PruneWidthPeak", false, false, 0, 1, [](Target t, double v) { t.tree.pruning.width_peak = v; }},
+    {"PrunePowerLow", false, false, 0, 100, [](Target t, double v) { t.tree.pruning.power_low = v; }},
+    {"PrunePowerHigh", false, false, 0, 100, [](Target t, double v) { t.tree.pruning.power_high = v; }},
+    {"0Scale", false, false, kSome, 100, [](Target t, double v) { t.tree.trunk_scale = v; }},
+    {"0ScaleV", false, false, 0, 100, [](Target t, double v) { t.tree.trunk_scale_v = v; }},
+    {"0Branches", false, true, 1, 1000, [](Target t, double v) { t.tree.trunks = static_cast<int>(v); }},
+    {"0BranchDist", false, false, 0, 1000, [](Target t, double v) { t.tree.trunk_spread = v; }},
     {"0BaseSplits", false, true, 0, 100,
-     [](Target t, double v) { t.species.tree.base_splits = static_cast<int>(v); }},
+     [](Target t, double v) { t.tree.base_splits = static_cast<int>(v); }},
     {"DownAngle", true, false, -kAny, kAny, [](Target t, double v) { t.level->down_angle = radians(v); }},
     {"DownAngleV", true, false, -kAny, kAny, [](Target t, double v) { t.level->down_angle_v = radians(v); }},
     {"Rotate", true, false, -kAny, kAny, [](Target t, double v) { t.level->rotate = radians(v); }},
@@ -126,8 +123,7 @@ std::string set_parameter(ArbaroSpecies& species, std::string_view name, std::st
   if (!fits)
     return fmt::format("{} is \"{}\"; expected a {} from {} to {}", name, value,
                        parameter->whole ? "whole number" : "number", parameter->min, parameter->max);
-  parameter->set({species, level >= 0 ? &species.tree.level[static_cast<std::size_t>(level)] : nullptr},
-                 *number);
+  parameter->set({species.tree, level >= 0 ? &species.tree.level[level] : nullptr}, *number);
   return "";
 }
 
@@ -148,7 +144,7 @@ WeberPenn arbaro_defaults() {
 void translate(WeberPenn& tree) {
   int bearing = std::min(tree.levels, kStemLevels - 1);  // whose angles are those of the leaves
   for (int n = 0; n < kStemLevels; ++n) {
-    double& rotate = tree.level[static_cast<std::size_t>(n)].rotate;
+    double& rotate = tree.level[n].rotate;
     // Its sides stand so much less than half a turn to either side, ours half of it. A fan takes it as it is.
     bool fan = tree.leaves < 0 && n == bearing;
     if (rotate < 0 && !fan) rotate = -2 * std::abs(kPi + rotate);

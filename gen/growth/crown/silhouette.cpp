@@ -76,8 +76,7 @@ bool Silhouette::inside(Vec2 at) const {
     auto rows = static_cast<float>(rows_);
     int x = static_cast<int>(std::floor((at.x + width_ / 2) * rows)),
         y = static_cast<int>(std::floor(at.y * rows));
-    return x >= 0 && x < columns_ && y >= 0 && y < rows_ &&
-           filled_[static_cast<std::size_t>(y * columns_ + x)];
+    return x >= 0 && x < columns_ && y >= 0 && y < rows_ && filled_[y * columns_ + x];
   }
   bool in = false;
   for (const auto& outline : outlines_) in ^= encloses(outline, at);

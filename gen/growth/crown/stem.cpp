@@ -1,6 +1,5 @@
 #include "crown/stem.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/curve.h"
@@ -40,8 +39,7 @@ class Tracer {
     chains_.emplace_back();
     Seed seed = stem_.seed.child("chain", mine);
     for (int s = chain.first; s < res && points_ <= kMostNodes; ++s) {
-      course.turn = bend(course.turn, level, stem_, s, seed.child("bend", static_cast<std::uint64_t>(s))) *
-                    about_x(course.give_back);
+      course.turn = bend(course.turn, level, stem_, s, seed.child("bend", s)) * about_x(course.give_back);
       if (detour_) course.turn = aside(chain.at.back(), course.turn, (s + 0.5) / res);
       chain.turn.push_back(course.turn);
       chain.share.push_back(course.share);
@@ -49,9 +47,7 @@ class Tracer {
       int end = s + 1;
       bool base = stem_.level == 0 && end == 1 && tree_.base_splits > 0;
       int splits = end == res ? 0 : base ? tree_.base_splits : splits_here(level);
-      if (splits > 0)
-        split(static_cast<int>(mine), chain, course, end, splits, base,
-              seed.child("split", static_cast<std::uint64_t>(s)));
+      if (splits > 0) split(static_cast<int>(mine), chain, course, end, splits, base, seed.child("split", s));
     }
     chain.turn.push_back(course.turn);
     chains_[mine] = std::move(chain);
@@ -75,7 +71,7 @@ class Tracer {
     course.give_back -= angle / (level.curve_res - end);
     course.share /= splits + 1;
     for (int i = 1; i <= splits; ++i) {
-      Seed own = seed.child(static_cast<std::uint64_t>(i));
+      Seed own = seed.child(i);
       double draw_of = own.child(0).unit();
       double yaw = radians(20 + 0.75 * (30 + std::abs(degrees(slope) - 90)) * draw_of * draw_of);
       if (own.child(1).unit() < 0.5) yaw = -yaw;

@@ -120,7 +120,7 @@ class Grower {
     return true;
   }
 
-  double& left_of(const Stem& stem) { return left_[static_cast<std::size_t>(std::min(stem.level, 3))]; }
+  double& left_of(const Stem& stem) { return left_[std::min(stem.level, 3)]; }
 
   double radius_at(const Stem& stem, double z) const {
     double r = taper_radius(tree_.stem(stem.level).taper, stem.radius, stem.length, z);
@@ -143,9 +143,8 @@ class Grower {
       if (chain.at.size() < 2) continue;
       std::int32_t below = stem.below;
       if (chain.from >= 0) {
-        const StemChain& from = chains[static_cast<std::size_t>(chain.from)];
-        below =
-            node_at[static_cast<std::size_t>(chain.from)][static_cast<std::size_t>(chain.first - from.first)];
+        const StemChain& from = chains[chain.from];
+        below = node_at[chain.from][chain.first - from.first];
       }
       std::vector<double> places = last ? std::vector<double>{} : places_of_children(stem, chain);
       std::vector<std::int32_t> child_nodes = add_chain(stem, chain, below, places, node_at[c]);
@@ -168,7 +167,7 @@ class Grower {
   static std::vector<Stretch> stretches_of(const StemChain& chain, double from, int res) {
     std::vector<Stretch> all;
     for (auto s = static_cast<int>(from); s < res; ++s) {
-      double share = chain.share[static_cast<std::size_t>(s - chain.first)];
+      double share = chain.share[s - chain.first];
       if (!all.empty() && all.back().share == share)
         all.back().to = s + 1;
       else
@@ -245,7 +244,7 @@ class Grower {
     std::vector<std::int32_t> at;
     for (double place : places) {
       auto it = std::upper_bound(stops.begin(), stops.end(), place + near);
-      at.push_back(nodes[static_cast<std::size_t>(std::max<std::ptrdiff_t>(it - stops.begin() - 1, 0))]);
+      at.push_back(nodes[std::max<std::ptrdiff_t>(it - stops.begin() - 1, 0)]);
     }
     return at;
   }
@@ -351,7 +350,7 @@ class Grower {
   void settle() {
     Skeleton& s = crown_.skeleton;
     std::vector<std::int32_t> order = order_branches(s);
-    for (LeafSite& leaf : crown_.leaves) leaf.node = order[static_cast<std::size_t>(leaf.node)];
+    for (LeafSite& leaf : crown_.leaves) leaf.node = order[leaf.node];
     if (tree_.detour) bend_aside(crown_, tree_.detour);
     set_distances(s);
     set_tip_distances(s);

@@ -2,11 +2,10 @@
 
 #include <array>
 
-#include "core/curve.h"
 #include "core/detour.h"
 #include "core/result.h"
 #include "core/seed.h"
-#include "crown/along.h"
+#include "crown/along_parent.h"
 #include "crown/axes.h"
 #include "crown/crown.h"
 
@@ -32,10 +31,9 @@ struct StemLevel {
   double down_angle_v = 0;  ///< negative: the angle falls by that much from the base to the top of the parent
   double rotate = 0;  ///< about the parent from one stem to the next; negative: alternating by that angle
   double rotate_v = 0;
-  double branches = 0;  ///< maximum number of stems of this level on one of the level below; not of trunks
-  double branch_dist =
-      1;                ///< 0 in whorls at the ends of the parent's segments .. 1 evenly; n: a whorl each n
-  double length = 0.5;  ///< share of the parent's; of the trunk, of the tree's scale
+  double branches = 0;     ///< maximum number of stems of this level on one of the level below; not of trunks
+  double branch_dist = 1;  ///< 0 in whorls at its parent's segment ends .. 1 evenly; n: a whorl each n
+  double length = 0.5;     ///< share of the parent's; of the trunk, of the tree's scale
   double length_v = 0;
   double taper = 1;       ///< 0 cylinder, 1 to a point, 2 with a round end, 3 a string of pearls
   double seg_splits = 0;  ///< clones that split off at the end of each segment
