@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "core/parallel.h"
-#include "dynamics/figures.h"
+#include "dynamics/plots.h"
 
 namespace frond {
 namespace {

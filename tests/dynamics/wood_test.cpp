@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "dynamics/figures.h"
 #include "dynamics/plots.h"
 
 namespace frond {

@@ -5,9 +5,36 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/trees.h"
+
 namespace frond {
 
 namespace {
+
+constexpr double kGapCell = 2;  // metres
+
+/// Flat areas of cells that are open, joined over their sides, in cells.
+std::vector<int> open_areas(const StandGrid& grid, std::vector<char>& open) {
+  std::vector<int> areas;
+  std::vector<std::size_t> front;
+  for (std::size_t begin = 0; begin < open.size(); ++begin) {
+    if (!open[begin]) continue;
+    int area = 0;
+    open[begin] = false, front = {begin};
+    while (!front.empty()) {
+      std::size_t cell = front.back();
+      front.pop_back(), ++area;
+      int column = static_cast<int>(cell) % grid.columns, row = static_cast<int>(cell) / grid.columns;
+      auto reach = [&](int c, int r) {
+        if (c < 0 || r < 0 || c >= grid.columns || r >= grid.rows || !open[grid.index(c, r)]) return;
+        open[grid.index(c, r)] = false, front.push_back(grid.index(c, r));
+      };
+      reach(column - 1, row), reach(column + 1, row), reach(column, row - 1), reach(column, row + 1);
+    }
+    areas.push_back(area);
+  }
+  return areas;
+}
 
 constexpr const char* kTreeColors[] = {"#e3c24f", "#a9c86a", "#d4633f", "#96703f",
                                        "#d99a4e", "#4f9a56", "#1f5f5b", "#5b8fb0"};  // of TreeName
@@ -58,12 +85,11 @@ std::string frame_svg(const PlotPanel& p, std::string_view title, std::string_vi
         "<path class=\"grid\" d=\"M{:.1f} {:.1f}h{:g}\"/><text class=\"y\" x=\"{:.1f}\" "
         "y=\"{:.1f}\">{:g}</text>\n",
         p.left, p.y(v), kPanelWidth, p.left - 7, p.y(v) + 4, v);
-  return out +
-         fmt::format(
-             "<text class=\"x\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n<text class=\"x\" transform=\"translate("
-             "{:.1f} {:.1f}) rotate(-90)\">{}</text>\n",
-             p.left + kPanelWidth / 2, p.top + kPanelHeight + 36, below, p.left - 46,
-             p.top + kPanelHeight / 2, beside);
+  return out + fmt::format(
+                   "<text class=\"x\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n<text class=\"x\" "
+                   "transform=\"translate({:.1f} {:.1f}) rotate(-90)\">{}</text>\n",
+                   p.left + kPanelWidth / 2, p.top + kPanelHeight + 36, below, p.left - 46,
+                   p.top + kPanelHeight / 2, beside);
 }
 
 std::string polyline_svg(const PlotPanel& p, const std::vector<std::pair<double, double>>& points,
@@ -162,11 +188,9 @@ std::string map_svg(double left, double top, const StandHistory& history, double
   double scale = kPanelWidth / std::max(wide, deep);
   std::string out = fmt::format(
       "<text class=\"title\" x=\"{:.1f}\" y=\"{:.1f}\">Map, {:g} x {:g} m</text>\n<g "
-      "transform=\"translate({:.2f} {:.2f}) "
-      "scale({:.4f})\" clip-path=\"url(#land)\">\n<clipPath id=\"land\"><rect x=\"{:g}\" y=\"{:g}\" "
-      "width=\"{:g}\" "
-      "height=\"{:g}\"/></clipPath>\n<rect x=\"{:g}\" y=\"{:g}\" width=\"{:g}\" height=\"{:g}\" "
-      "fill=\"#f3eee2\"/>\n",
+      "transform=\"translate({:.2f} {:.2f}) scale({:.4f})\" clip-path=\"url(#land)\">\n<clipPath "
+      "id=\"land\"><rect x=\"{:g}\" y=\"{:g}\" width=\"{:g}\" height=\"{:g}\"/></clipPath>\n<rect x=\"{:g}\" "
+      "y=\"{:g}\" width=\"{:g}\" height=\"{:g}\" fill=\"#f3eee2\"/>\n",
       left, top - 14, wide, deep, left + kPanelWidth / 2, top + scale * deep / 2, scale, -wide / 2, -deep / 2,
       wide, deep, -wide / 2, -deep / 2, wide, deep);
   std::vector<std::pair<TreeSize, std::uint32_t>> trees;
@@ -184,11 +208,10 @@ std::string map_svg(double left, double top, const StandHistory& history, double
     TreeSize size = size_at(history, dead.life, year);
     if (!dead.lies || size.diameter < 0.2f) continue;
     float length = size.height - life.broken;
-    out += fmt::format(
-        "<path d=\"M{:.1f} {:.1f}l{:.1f} {:.1f}\" stroke-width=\"{:.2f}\" "
-        "opacity=\"{:.2f}\"/>\n",
-        life.x, life.z, length * std::sin(life.azimuth), length * std::cos(life.azimuth), size.diameter,
-        1 - 0.7f * dead.decay);
+    out +=
+        fmt::format("<path d=\"M{:.1f} {:.1f}l{:.1f} {:.1f}\" stroke-width=\"{:.2f}\" opacity=\"{:.2f}\"/>\n",
+                    life.x, life.z, length * std::sin(life.azimuth), length * std::cos(life.azimuth),
+                    size.diameter, 1 - 0.7f * dead.decay);
   }
   return out + "</g>\n</g>\n";
 }
@@ -207,6 +230,63 @@ std::string legend_svg(const StandHistory& history, double x, double y) {
 
 }  // namespace
 
+std::vector<double> gaps_at(const StandHistory& history, double year) {
+  StandGrid grid = grid_of(history.area, kGapCell);
+  std::vector<TreeSize> sizes;
+  std::vector<float> heights;
+  std::vector<std::uint32_t> living = living_at(history, year);
+  for (std::uint32_t i : living) {
+    sizes.push_back(size_at(history, i, year));
+    if (sizes.back().diameter > 0.1f) heights.push_back(sizes.back().height);
+  }
+  std::ranges::sort(heights);
+  float high = heights.empty() ? 0 : heights[heights.size() * 95 / 100] / 2;
+  std::vector<char> open(grid.size(), true);
+  for (std::size_t n = 0; n < living.size(); ++n) {
+    if (sizes[n].height < std::max(high, 3.0f)) continue;
+    const TreeLife& life = history.lives[living[n]];
+    auto x = static_cast<double>(life.x), z = static_cast<double>(life.z),
+         radius = static_cast<double>(sizes[n].crown_radius);
+    for (int row = grid.row(z - radius); row <= grid.row(z + radius); ++row)
+      for (int column = grid.column(x - radius); column <= grid.column(x + radius); ++column) {
+        double dx = grid.low_x + (column + 0.5) * kGapCell - x, dz = grid.low_z + (row + 0.5) * kGapCell - z;
+        if (dx * dx + dz * dz <= radius * radius) open[grid.index(column, row)] = false;
+      }
+  }
+  std::vector<double> gaps;
+  for (int cells : open_areas(grid, open))
+    if (cells > 1) gaps.push_back(cells * kGapCell * kGapCell);
+  std::ranges::sort(gaps, std::greater());
+  return gaps;
+}
+
+StandFigures figures_at(const StandHistory& history, double year) {
+  StandFigures figures;
+  double hectares = static_cast<double>(history.area.x * history.area.y) / 1e4;
+  figures.basal_area.assign(history.species.size(), 0);
+  int count = 0;
+  auto add = [](std::vector<int>& classes, double at) {
+    auto c = static_cast<std::size_t>(std::max(at, 0.0));
+    if (classes.size() <= c) classes.resize(c + 1);
+    ++classes[c];
+  };
+  for (std::uint32_t i : living_at(history, year)) {
+    const TreeLife& life = history.lives[i];
+    TreeSize size = size_at(history, i, year);
+    auto diameter = static_cast<double>(size.diameter);
+    if (size.height < 1.3f) continue;
+    ++count;
+    figures.mean_mass += stem_mass(history.species[life.species], size);
+    figures.basal_area[life.species] += kPi / 4 * diameter * diameter / hectares;
+    add(figures.diameters, diameter / 0.05);
+    add(figures.ages, (year - static_cast<double>(life.born)) / 10);
+  }
+  figures.density = count / hectares;
+  figures.mean_mass /= std::max(count, 1);
+  figures.gaps = gaps_at(history, year);
+  return figures;
+}
+
 std::string stand_svg(const StandHistory& history, double year) {
   YearFigures all = all_figures(history);
   StandFigures now = figures_at(history, year);
@@ -221,12 +301,10 @@ std::string stand_svg(const StandHistory& history, double year) {
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 1210 800\" font-family=\"sans-serif\" "
              "font-size=\"13\" "
-             "fill=\"#333\">\n<style>.title{{font-size:16px;font-weight:bold}}.grid{{stroke:#0002;"
-             "fill:none}}.x{{text-anchor:middle}}.y{{text-anchor:end}}</style>\n<rect width=\"1210\" "
-             "height=\"800\" "
+             "fill=\"#333\">\n<style>.title{{font-size:16px;font-weight:bold}}.grid{{stroke:#0002;fill:none}}"
+             ".x{{text-anchor:middle}}.y{{text-anchor:end}}</style>\n<rect width=\"1210\" height=\"800\" "
              "fill=\"#fff\"/>\n<text x=\"80\" y=\"46\" font-size=\"20\">The stand in year {:g}: {:.0f} trees "
-             "a hectare"
-             "</text>\n",
+             "a hectare</text>\n",
              year, now.density) +
          legend_svg(history, 570, 45) + basal_svg(panel(0, 0), history, all) +
          thinning_svg(panel(1, 0), all) + map_svg(map.left, map.top, history, year) +

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/parallel.h"
-#include "dynamics/growth.h"
 
 namespace frond {
 

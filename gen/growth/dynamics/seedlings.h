@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "dynamics/canopy.h"
+#include "dynamics/trees.h"
 
 // What is below breast height: in each cell one cohort of each species, whose tallest seedlings count.
 

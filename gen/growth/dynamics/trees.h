@@ -9,7 +9,9 @@
 #include "core/vec.h"
 #include "dynamics/stand.h"
 
-// The trees that live in a year, and the cells that the land is divided into.
+// The trees that live in a year, the cells that the land is divided into, the light there, and how trees grow
+// in it. Leaves are spread evenly over crowns, which are paraboloids; light comes from the whole sky, loses
+// by Beer's law what leaves take, and spreads to the sides as it comes down.
 
 namespace frond {
 
@@ -63,7 +65,45 @@ class TreeRows {
   std::vector<std::uint32_t> first_, tree_;
 };
 
-/// kg of a fresh stem: 1.8 times its dry mass.
-double fresh_mass(const TreeSpecies& species, const StandTree& tree);
+/// Light on its way through a layer of leaves is exp(-kExtinction * m2 of leaves over a m2).
+inline constexpr double kExtinction = 0.5;
+
+/// The leaves and the light of a year, in layers over the ground.
+struct Canopy {
+  static constexpr double kLayer = 2;  ///< metres
+
+  StandGrid grid;
+  int layers = 1;
+  /// Share of light, 0..1, at the foot of each layer and above the last; layer by layer, cell by cell.
+  std::vector<float> light{};
+  std::vector<float> top{};  ///< metres, of each cell: its highest crown
+
+  double ground_light(std::size_t cell) const { return static_cast<double>(light[cell]); }
+  /// Share of light, 0..1, in a cell at a height in metres, or up to a layer above it.
+  double light_above(std::size_t cell, double height) const {
+    int layer = std::clamp(static_cast<int>(height / kLayer) + 1, 0, layers);
+    return static_cast<double>(light[static_cast<std::size_t>(layer) * grid.size() + cell]);
+  }
+};
+
+/// The canopy of these trees; the same with any number of threads.
+Canopy canopy_of(std::span<const StandTree> trees, std::span<const TreeSpecies> species,
+                 const StandGrid& grid);
+
+/// How well a species grows in a light of 0..1, against full light: between the curves of JABOWA (Botkin,
+/// Janak and Wallis 1972) for trees that bear shade and that do not, by its tolerance.
+double light_response(const TreeSpecies& species, double light);
+
+/// How well it grows at a temperature and moisture, 0..1: from its tree line to 4 degrees above it, and about
+/// the moisture that it likes.
+double site_response(const TreeSpecies& species, double temperature, double moisture);
+
+/// Radius of the crown at a diameter, metres.
+double crown_radius_at(const TreeSpecies& species, double diameter);
+
+/// Grows a tree by a year. Girth follows the light on its crown and the length of that; height only falls
+/// behind in deep shade, or where the stem is too slender, so trees in the dark are slender. Its lowest
+/// branches die where they get less light than they had at the foot of a crown in the open.
+void grow_year(StandTree& tree, const TreeSpecies& species, const Canopy& canopy);
 
 }  // namespace frond

@@ -1,7 +1,10 @@
+#include "dynamics/stand.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "core/curve.h"
-#include "dynamics/stand.h"
 
 namespace frond {
 
@@ -17,6 +20,54 @@ float course_slope(std::span<const TreeSize> sizes, std::size_t i, float TreeSiz
 }
 
 }  // namespace
+
+StandOptions options_of(const StandText& text) {
+  StandOptions options{.area = text.area,
+                       .years = text.years,
+                       .species = {},
+                       .planted = text.planted,
+                       .seeding = text.seeding,
+                       .storms = text.storms,
+                       .temperature = text.temperature,
+                       .events = {}};
+  if (text.species.empty()) options.species.assign(tree_species().begin(), tree_species().end());
+  for (const TreeText& wanted : text.species) {
+    TreeSpecies tree = species(wanted.name);
+    tree.height = wanted.height.value_or(tree.height);
+    tree.girth_gain = wanted.girth_gain.value_or(tree.girth_gain);
+    tree.tolerance = wanted.tolerance.value_or(tree.tolerance);
+    tree.lifespan = wanted.lifespan.value_or(tree.lifespan);
+    tree.anchorage = wanted.anchorage.value_or(tree.anchorage);
+    tree.reach = wanted.reach.value_or(tree.reach);
+    tree.seeds = wanted.seeds.value_or(tree.seeds);
+    tree.arrival = wanted.arrival.value_or(tree.arrival);
+    tree.coldest = wanted.coldest.value_or(tree.coldest);
+    tree.moisture = wanted.moisture.value_or(tree.moisture);
+    options.species.push_back(tree);
+  }
+  return options;
+}
+
+Errors stand_faults(const StandText& text) {
+  Errors faults;
+  std::vector<TreeName> names;
+  for (std::size_t i = 0; i < text.species.size(); ++i) {
+    TreeName name = text.species[i].name;
+    if (std::ranges::find(names, name) != names.end())
+      faults.push_back({fmt::format("/species/{}/name", i),
+                        fmt::format("a second \"{}\"; expected each species once", name_of(name))});
+    names.push_back(name);
+  }
+  auto known = [&](const std::string& where, TreeName name) {
+    if (!names.empty() && std::ranges::find(names, name) == names.end())
+      faults.push_back(
+          {where,
+           fmt::format("\"{}\" is not among the species of the stand; expected one of them", name_of(name))});
+  };
+  for (std::size_t i = 0; i < text.planted.size(); ++i)
+    known(fmt::format("/planted/{}/name", i), text.planted[i].name);
+  return faults;
+}
 
 TreeSize size_at(const StandHistory& history, std::uint32_t life, double year) {
   const TreeLife& lived = history.lives[life];
@@ -58,6 +109,11 @@ std::vector<Deadwood> deadwood_at(const StandHistory& history, double year) {
       dead.push_back({i, life.fell <= when, (when - life.died) / (life.rotted - life.died)});
   }
   return dead;
+}
+
+double stem_mass(const TreeSpecies& species, const TreeSize& size) {
+  double radius = static_cast<double>(size.diameter) / 2;
+  return 0.45 * kPi * radius * radius * static_cast<double>(size.height) * species.density;
 }
 
 }  // namespace frond
