@@ -1,8 +1,7 @@
-#include "creeping/mask.h"
+#include "creeping/crawl.h"
 
 #include <gtest/gtest.h>
 
-#include "creeping/crawl.h"
 #include "creeping/meshes.h"
 
 namespace frond {

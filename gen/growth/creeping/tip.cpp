@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
 #include "core/noise.h"
 
@@ -19,17 +18,9 @@ constexpr double kNoOverhang = -0.1;   // and above which it is none any more
 DVec3 lured(const Crawl& crawl, const Tread& tread, double when, double& share) {
   DVec3 toward(crawl.toward.at(when));
   share = crawl.bias.at(when);
-  switch (crawl.lure) {
-    case Lure::along:
-      return toward;
-    case Lure::light: {
-      double length = glm::length(toward);
-      if (length > 0) share *= 1 - std::max(glm::dot(tread.normal, toward) / length, 0.0);
-      return toward;
-    }
-    case Lure::point:
-      return toward - tread.place;
-  }
+  if (crawl.lure == Lure::point) return toward - tread.place;
+  if (double length = glm::length(toward); crawl.lure == Lure::light && length > 0)
+    share *= 1 - std::max(glm::dot(tread.normal, toward) / length, 0.0);
   return toward;
 }
 
@@ -205,16 +196,8 @@ void dangle(Tip& tip, const TriangleSurface& host, const Crawl& crawl, int step)
   if (!in_bounds(crawl, {}, tip.tread.place)) stop(tip, End::box);
 }
 
-}  // namespace
-
-Tip sprout(const Tread& tread, const Crawl& crawl, Seed seed) {
-  Tip tip;
-  tip.tread = tread;
-  tip.seed = seed;
-  tip.next_bud = crawl.branch_every * seed.child("first bud").range(1 - crawl.branch_jitter, 1);
-  return tip;
-}
-
+/// A heading with `spacing` metres of room, at most the crowd's, near the wanted one; nothing where there is
+/// none. `near` is overwritten.
 std::optional<DVec3> heading_with_room(const SpatialHash& crowd, double spacing, const Tread& tread,
                                        const DVec3& heading, const SpatialHash::Own& own, double step,
                                        std::vector<DVec3>& near) {
@@ -246,6 +229,16 @@ std::optional<DVec3> heading_with_room(const SpatialHash& crowd, double spacing,
   // Who is crowded already may go where it is less so.
   if (room > kMuchTooNear * spacing && room > crowd.nearest(near, tread.place)) return best;
   return std::nullopt;
+}
+
+}  // namespace
+
+Tip sprout(const Tread& tread, const Crawl& crawl, Seed seed) {
+  Tip tip;
+  tip.tread = tread;
+  tip.seed = seed;
+  tip.next_bud = crawl.branch_every * seed.child("first bud").range(1 - crawl.branch_jitter, 1);
+  return tip;
 }
 
 void advance(Tip& tip, const CrawlWorld& world, const SpatialHash* crowd, const Crawl& crawl, int step) {

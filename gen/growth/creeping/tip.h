@@ -73,10 +73,4 @@ struct CrawlWorld {
 /// Step number `step` (from 0) of a tip.
 void advance(Tip& tip, const CrawlWorld& world, const SpatialHash* crowd, const Crawl& crawl, int step);
 
-/// A heading with `spacing` metres of room, at most the crowd's, near the wanted one; nothing where there is
-/// none. `near` is overwritten.
-std::optional<DVec3> heading_with_room(const SpatialHash& crowd, double spacing, const Tread& tread,
-                                       const DVec3& heading, const SpatialHash::Own& own, double step,
-                                       std::vector<DVec3>& near);
-
 }  // namespace frond

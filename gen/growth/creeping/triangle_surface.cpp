@@ -43,7 +43,6 @@ DVec3 nearest_on(const std::array<Vec3, 3>& t, const DVec3& p, int& feature) {
 
 /// A segment, and what it meets (Moeller and Trumbore 1997).
 struct Segment : RTCIntersectContext {
-  const TriangleSurface* host = nullptr;
   DVec3 from{0}, along{0};
   bool all = false;     // count every crossing of a closed part instead of finding the first
   double share = kInf;  // of the first
@@ -116,7 +115,8 @@ bool look_at(RTCPointQueryFunctionArguments* args) {
 struct TriangleSurface::Tree {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
-  const TriangleSurface* host = nullptr;  // moved along with it
+  const std::array<Vec3, 3>* corners = nullptr;  // of each triangle of the host
+  const std::uint8_t* solid = nullptr;
   double blur = 0;
 
   ~Tree() {
@@ -126,7 +126,7 @@ struct TriangleSurface::Tree {
 
   static void bounds(const RTCBoundsFunctionArguments* args) {
     const Tree& tree = *static_cast<const Tree*>(args->geometryUserPtr);
-    const auto& c = tree.host->corners_[args->primID];
+    const auto& c = tree.corners[args->primID];
     Vec3 pad(static_cast<float>(tree.blur));
     Vec3 low = glm::min(glm::min(c[0], c[1]), c[2]) - pad, high = glm::max(glm::max(c[0], c[1]), c[2]) + pad;
     *args->bounds_o = {low.x, low.y, low.z, 0, high.x, high.y, high.z, 0};
@@ -134,12 +134,12 @@ struct TriangleSurface::Tree {
 
   static void intersect(const RTCIntersectFunctionNArguments* args) {
     if (!args->valid[0]) return;
+    const Tree& tree = *static_cast<const Tree*>(args->geometryUserPtr);
     Segment& segment = *static_cast<Segment*>(args->context);
-    segment.meet(args->primID, segment.host->corners_[args->primID], segment.host->solid_[args->primID] != 0);
+    segment.meet(args->primID, tree.corners[args->primID], tree.solid[args->primID] != 0);
   }
 
   bool build(const TriangleSurface& over) {
-    host = &over;
     blur = 4e-7 * std::max(glm::length(over.low_), glm::length(over.high_)) + 1e-30;
     // A device that is to use fewer threads would hold all of TBB to as many, as long as it lives. What is
     // found does not depend on how the tree was built.
@@ -161,15 +161,8 @@ struct TriangleSurface::Tree {
 
   void walk(Segment& segment) const {
     rtcInitIntersectContext(&segment);
-    RTCRayHit ray{};
-    ray.ray.org_x = static_cast<float>(segment.from.x);
-    ray.ray.org_y = static_cast<float>(segment.from.y);
-    ray.ray.org_z = static_cast<float>(segment.from.z);
-    ray.ray.dir_x = static_cast<float>(segment.along.x);
-    ray.ray.dir_y = static_cast<float>(segment.along.y);
-    ray.ray.dir_z = static_cast<float>(segment.along.z);
-    ray.ray.tfar = 1;
-    ray.ray.mask = ~0u;
+    Vec3 from(segment.from), along(segment.along);
+    RTCRayHit ray{{from.x, from.y, from.z, 0, along.x, along.y, along.z, 0, 1, ~0u, 0, 0}, {}};
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(scene, &segment, &ray);
   }
@@ -177,23 +170,10 @@ struct TriangleSurface::Tree {
 
 TriangleSurface::TriangleSurface() : tree_(std::make_unique<Tree>()) {}
 TriangleSurface::~TriangleSurface() = default;
-TriangleSurface::TriangleSurface(TriangleSurface&& other) noexcept { *this = std::move(other); }
-TriangleSurface& TriangleSurface::operator=(TriangleSurface&& other) noexcept {
-  corners_ = std::move(other.corners_);
-  vertex_ = std::move(other.vertex_);
-  neighbour_ = std::move(other.neighbour_);
-  solid_ = std::move(other.solid_);
-  vertex_normal_ = std::move(other.vertex_normal_);
-  paint_ = std::move(other.paint_);
-  low_ = other.low_;
-  high_ = other.high_;
-  closed_ = other.closed_;
-  tree_ = std::move(other.tree_);
-  if (tree_) tree_->host = this;
-  return *this;
-}
+TriangleSurface::TriangleSurface(TriangleSurface&&) noexcept = default;
+TriangleSurface& TriangleSurface::operator=(TriangleSurface&&) noexcept = default;
 
-/// Takes over the triangles; their tree is left as it is.
+/// Takes over the triangles; the boxes of their tree are left as they are.
 void TriangleSurface::adopt(Soup&& soup) {
   assert(!soup.corners.empty() && soup.vertex.size() == soup.corners.size());
   assert(soup.neighbour.size() == soup.corners.size() && soup.solid.size() == soup.corners.size());
@@ -201,6 +181,7 @@ void TriangleSurface::adopt(Soup&& soup) {
   vertex_ = std::move(soup.vertex);
   neighbour_ = std::move(soup.neighbour);
   solid_ = std::move(soup.solid);
+  tree_->corners = corners_.data(), tree_->solid = solid_.data();
   paint_ = std::move(soup.paint);
   closed_ = std::all_of(solid_.begin(), solid_.end(), [](auto s) { return s != 0; });
   vertex_normal_.assign(soup.vertices, Vec3(0));
@@ -332,7 +313,6 @@ std::optional<Contact> TriangleSurface::closest(const DVec3& place, double withi
 std::optional<Crossing> TriangleSurface::crossing(const DVec3& from, const DVec3& to) const {
   assert(std::isfinite(glm::dot(from, from)) && std::isfinite(glm::dot(to, to)));
   Segment segment;
-  segment.host = this;
   segment.from = from;
   segment.along = to - from;
   tree_->walk(segment);
@@ -351,7 +331,6 @@ bool TriangleSurface::inside(const DVec3& place) const {
   int votes = 0;
   for (const DVec3& direction : directions) {
     Segment segment;
-    segment.host = this;
     segment.from = place;
     segment.along = direction * (2 * size());
     segment.all = true;
