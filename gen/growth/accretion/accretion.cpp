@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "accretion/neighbours.h"
 #include "accretion/openness.h"
 #include "accretion/skin_mesh.h"
 #include "core/noise.h"
@@ -67,13 +66,10 @@ class Skin {
         edge_(static_cast<float>(law.edge)),
         reach_(static_cast<float>(std::max(law.across, law.up))),
         layer_(reach_ / static_cast<float>(law.layers)),
-        shade_(Vec3(-kShadeBox * static_cast<float>(law.across), -2 * edge_,
-                    -kShadeBox * static_cast<float>(law.across)),
-               Vec3(kShadeBox * static_cast<float>(law.across), kShadeBox * static_cast<float>(law.up),
-                    kShadeBox * static_cast<float>(law.across)),
+        shape_(law.across, law.up, law.across),
+        shade_(Vec3(-kShadeBox * shape_.x, -2 * edge_, -kShadeBox * shape_.z), kShadeBox * shape_,
                kShadeCell * edge_),
-        light_(world.light, Vec3(-static_cast<float>(law.across), 0, -static_cast<float>(law.across)),
-               Vec3(law.across, law.up, law.across)) {
+        light_(world.light, Vec3(-shape_.x, 0, -shape_.z), shape_) {
     for (int axis = 0; axis < 3; ++axis)
       lot_[axis] = static_cast<float>(seed.child("lumps", static_cast<std::uint64_t>(axis)).range(-99, 99));
     constexpr float kLeastFirst = 2.5f, kFirst = 0.06f;  // radius of the first ball: edges; of the reach
@@ -105,6 +101,7 @@ class Skin {
   const Accretion& law_;
   const AccretionWorld& world_;
   float edge_, reach_, layer_;
+  Vec3 shape_;  // how far it reaches, to its sides and up
   Vec3 lot_{0};
   Openness shade_;
   LightAround light_;
@@ -156,19 +153,18 @@ void Skin::grow(int layer) {
   if (layer % kLook == 1) look(layer % kLookAll == 1);
   std::size_t count = mesh_.position.size();
   auto hunger = static_cast<float>(law_.hunger), upward = static_cast<float>(law_.upward);
-  Vec3 shape(static_cast<float>(law_.across), static_cast<float>(law_.up), static_cast<float>(law_.across));
   for_all(count, [&](std::size_t v) {
     speed_[v] = 0;
     if (!alive_[v]) return;
     Vec3 at = mesh_.position[v], n = mesh_.normal[v];
     // A body that is to be wider than high grows faster to its sides.
-    float pace = glm::length(n * shape) / reach_;
+    float pace = glm::length(n * shape_) / reach_;
     float fed = std::pow(std::max(smooth_step(kStarved, kWellFed, open_[v] / most_open_), 1e-3f), hunger);
     float rise = 1 + upward * n.y;
     float speed = pace * fed * std::max(0.0f, rise) * std::max(0.0f, lump_[v]);
     if (at.y < 0) speed *= std::max(0.0f, 1 + at.y / edge_);
     // Growth slows where the skin has come as far as it may.
-    float gone = glm::length(at / shape);
+    float gone = glm::length(at / shape_);
     speed *= 1 - smooth_step(kSlows, kStops, gone);
     speed = std::min(speed, kFastest);
     if (speed > 1e-3f && world_.room) {

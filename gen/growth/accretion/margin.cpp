@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "accretion/crossing.h"
 #include "accretion/growing_sheets.h"
 #include "core/noise.h"
 

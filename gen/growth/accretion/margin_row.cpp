@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
-#include "accretion/crossing.h"
 #include "accretion/growing_sheets.h"
 
 namespace frond {

@@ -1,6 +1,7 @@
 #include "accretion/openness.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace frond {
@@ -41,15 +42,11 @@ std::vector<Cone> cones() {
 }  // namespace
 
 Openness::Openness(Vec3 low, Vec3 high, float cell) : low_(low) {
-  std::array<int, 3> count;
-  for (int axis = 0; axis < 3; ++axis)
-    count[static_cast<std::size_t>(axis)] =
-        std::max(1, static_cast<int>(std::ceil((high[axis] - low[axis]) / cell)));
+  glm::ivec3 count = glm::max(glm::ivec3(glm::ceil((high - low) / cell)), 1);
   for (int l = 0; l < kLevels; ++l) {
-    auto cells = static_cast<std::size_t>(count[0]) * static_cast<std::size_t>(count[1]) *
-                 static_cast<std::size_t>(count[2]);
+    std::size_t cells = std::size_t{1} * count.x * count.y * count.z;
     levels_.push_back({count, cell, std::vector<float>(cells), std::vector<char>(cells)});
-    for (int& n : count) n = (n + 1) / 2;
+    count = (count + 1) / 2;
     cell *= 2;
   }
   area_.resize(levels_[0].held.size());
@@ -59,14 +56,9 @@ void Openness::clear() { std::ranges::fill(area_, 0); }
 
 void Openness::add(Vec3 at, float area) {
   const Level& fine = levels_[0];
-  std::array<int, 3> i;
-  for (int axis = 0; axis < 3; ++axis) {
-    auto k = static_cast<std::size_t>(axis);
-    i[k] = static_cast<int>(std::floor((at[axis] - low_[axis]) / fine.cell));
-    if (i[k] < 0 || i[k] >= fine.count[k]) return;
-  }
-  auto index = static_cast<std::size_t>((i[2] * fine.count[1] + i[1]) * fine.count[0] + i[0]);
-  area_[index] += static_cast<std::int32_t>(kWhole * area / (fine.cell * fine.cell));
+  glm::ivec3 i(glm::floor((at - low_) / fine.cell));
+  if (glm::any(glm::lessThan(i, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(i, fine.count))) return;
+  area_[fine.at(i.x, i.y, i.z)] += static_cast<std::int32_t>(kWhole * area / (fine.cell * fine.cell));
 }
 
 void Openness::build() {
@@ -76,25 +68,23 @@ void Openness::build() {
   for (std::size_t l = 1; l < levels_.size(); ++l) {
     const Level& from = levels_[l - 1];
     Level& to = levels_[l];
-    for (int z = 0; z < to.count[2]; ++z)
-      for (int y = 0; y < to.count[1]; ++y)
-        for (int x = 0; x < to.count[0]; ++x) {
+    for (int z = 0; z < to.count.z; ++z)
+      for (int y = 0; y < to.count.y; ++y)
+        for (int x = 0; x < to.count.x; ++x) {
           // What a cell holds up is the mean over its face of what its two layers let through.
           float sum = 0;
           for (int k = 0; k < 8; ++k) {
             int u = 2 * x + (k & 1), v = 2 * y + (k >> 1 & 1), w = 2 * z + (k >> 2);
-            if (u < from.count[0] && v < from.count[1] && w < from.count[2])
-              sum += from.held[static_cast<std::size_t>((w * from.count[1] + v) * from.count[0] + u)];
+            if (u < from.count.x && v < from.count.y && w < from.count.z) sum += from.held[from.at(u, v, w)];
           }
-          to.held[static_cast<std::size_t>((z * to.count[1] + y) * to.count[0] + x)] =
-              std::min(1.0f, sum / 4);
+          to.held[to.at(x, y, z)] = std::min(1.0f, sum / 4);
         }
   }
   for (Level& level : levels_) mark(level);
 }
 
 void Openness::mark(Level& level) {
-  const int wide = level.count[0], high = level.count[1], deep = level.count[2];
+  const int wide = level.count.x, high = level.count.y, deep = level.count.z;
   for (int z = 0; z + 1 < deep; ++z)
     for (int y = 0; y + 1 < high; ++y) {
       const float* front = level.held.data() + (z * high + y) * wide;
@@ -107,13 +97,13 @@ void Openness::mark(Level& level) {
 
 /// At a place measured in its cells, from the middle of the first.
 inline float Openness::held_at(const Level& level, Vec3 at) {
-  const int wide = level.count[0], high = level.count[1], deep = level.count[2];
+  const int wide = level.count.x, high = level.count.y, deep = level.count.z;
   // The outermost cells are empty.
   if (!(at.x >= 0 && at.y >= 0 && at.z >= 0)) return 0;
   int x = static_cast<int>(at.x), y = static_cast<int>(at.y), z = static_cast<int>(at.z);
   if (x + 1 >= wide || y + 1 >= high || z + 1 >= deep) return 0;
   std::ptrdiff_t cell = (std::ptrdiff_t{z} * high + y) * wide + x;
-  if (!level.anything[static_cast<std::size_t>(cell)]) return 0;
+  if (!level.anything[cell]) return 0;
   Vec3 t = at - Vec3(x, y, z);
   const float* held = level.held.data() + cell;
   auto row = [&](int v, int w) {

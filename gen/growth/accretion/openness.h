@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "core/vec.h"
@@ -26,10 +25,14 @@ class Openness {
 
  private:
   struct Level {
-    std::array<int, 3> count;
+    glm::ivec3 count;
     float cell;
     std::vector<float> held;     // 0 nothing .. 1 all
     std::vector<char> anything;  // whether any of the eight cells from each one on is not empty
+
+    std::size_t at(int x, int y, int z) const {
+      return static_cast<std::size_t>((z * count.y + y) * count.x + x);
+    }
   };
   static void mark(Level& level);
   static float held_at(const Level& level, Vec3 at);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "core/bounds.h"
 #include "core/noise.h"
@@ -15,8 +14,7 @@ namespace {
 constexpr std::size_t kReactionBatch = 4096;           // vertices that one thread takes
 constexpr std::size_t kReactionBlock = 64;             // and those that stay in the nearest cache
 constexpr double kMostSpread = 0.42, kMostPace = 1.5;  // of a step, so that it does not swing
-constexpr double kWaveOfSpread =
-    21.0;  // about: length of a wave by the root of what the second substance spreads
+constexpr double kWaveOfSpread = 21.0;  // about: a wave's length by the root of the second substance's spread
 
 /// Vertices in an order in which those that are near in space are near in memory (Morton 1966).
 std::vector<std::uint32_t> near_order(const std::vector<Vec3>& places) {

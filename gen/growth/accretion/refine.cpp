@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "accretion/neighbours.h"
+#include "accretion/skin_mesh.h"
 
 namespace frond {
 

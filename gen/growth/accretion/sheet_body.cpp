@@ -110,6 +110,7 @@ class Layers {
     constexpr float kSprout = 0.04f;   // of its size, at first
     constexpr float kLinesAge = 0.1f;  // of the whole growth, by which growth lines stand out
     constexpr float kBlunt = 0.45f;    // of the thickness: how far the edge goes beyond the rim
+    constexpr float kThick = 0.02f;    // metres: of what is thicker, the edge is blunt
     bool now = row >= static_cast<float>(sheet_.rows);
     std::vector<Vec3> middle = now ? sheet_.position : back_then(sheet_, sheet_.position, row);
     std::vector<Vec3> normal = now || skin_.plumb ? normal_ : back_then(sheet_, normal_, row);
@@ -131,7 +132,7 @@ class Layers {
     for (std::size_t e = 0; e < rim_.size(); ++e) {
       Vec3 up = all[rim_[e]], down = all[count + rim_[e]];
       all[2 * count + e] =
-          (up + down) * 0.5f + out_[e] * (kBlunt * std::min(glm::distance(up, down), limit()));
+          (up + down) * 0.5f + out_[e] * (kBlunt * std::min(glm::distance(up, down), kThick));
     }
     return all;
   }
@@ -167,8 +168,6 @@ class Layers {
   }
 
  private:
-  float limit() const { return 0.02f; }  // metres: of what is thicker, the edge is blunt
-
   const Sheet& sheet_;
   const SheetSkin& skin_;
   std::vector<Edge> open_;

@@ -1,11 +1,7 @@
 #include "accretion/skin_mesh.h"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
-#include <utility>
-
-#include "accretion/neighbours.h"
 
 namespace frond {
 
