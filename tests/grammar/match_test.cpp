@@ -1,4 +1,4 @@
-#include "grammar/match.h"
+#include "grammar/fast.h"
 
 #include <gtest/gtest.h>
 

@@ -46,6 +46,12 @@ std::string plain_text(std::string_view bytes) {
   return text;
 }
 
+std::string_view trim(std::string_view text) {
+  std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == text.npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
 bool has_ending(std::string_view name, std::string_view ending) { return lower_case(name).ends_with(ending); }
 
 }  // namespace frond

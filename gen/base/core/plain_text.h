@@ -9,6 +9,9 @@ namespace frond {
 /// newlines, up to the Ctrl-Z that ends a text of DOS. UTF-16 with its mark becomes UTF-8.
 std::string plain_text(std::string_view bytes);
 
+/// Without blanks, tabs and ends of lines at both its ends.
+std::string_view trim(std::string_view text);
+
 /// Whether a file's name ends so, in upper or lower case; `ending` in lower case.
 bool has_ending(std::string_view name, std::string_view ending);
 

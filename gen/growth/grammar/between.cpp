@@ -1,7 +1,5 @@
 #include "grammar/between.h"
 
-#include <algorithm>
-
 namespace frond {
 
 namespace {

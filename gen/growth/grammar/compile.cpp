@@ -151,10 +151,8 @@ class Compiler {
     at.tables = grammar_.tables;
     at.seed = Seed{grammar_.text.seed}.child("axiom");
     for (const Expression& argument : arguments) {
-      double value = evaluate(argument, at);
-      if (!std::isfinite(value)) at.fail(FormulaFault::not_finite, argument.place);
+      grammar_.axiom.parameters.push_back(finite_value(argument, at));
       if (at.failed()) return errors_.push_back({"axiom", fault_in(grammar_.text.axiom, at)});
-      grammar_.axiom.parameters.push_back(value);
     }
   }
 
@@ -197,7 +195,6 @@ class Compiler {
     std::vector<std::string> variables;
     std::vector<SymbolId> predecessor;
     read_context(reader, parts->left, variables, rule.left);
-    rule.left_variables = static_cast<int>(variables.size());
     rule.left_places = modules_.places;
     within(reader, parts->predecessor,
            [&](Cursor& part) { modules_.read_pattern(part, variables, predecessor); });
@@ -354,9 +351,8 @@ class Compiler {
     bool followed = std::any_of(grammar_.symbols.begin(), grammar_.symbols.end(),
                                 [](const Symbol& symbol) { return symbol.act == Act::guide; });
     if (!followed)
-      errors_.push_back({"guide",
-                         "no rule has a `?`, at which the turtle follows the guide; add it or remove "
-                         "the guide"});
+      errors_.push_back(
+          {"guide", "no rule has a `?`, at which the turtle follows the guide; add it or remove the guide"});
     grammar_.guide = std::move(*guide);
   }
 

@@ -50,10 +50,9 @@ Error trouble(const Expander& expander, int step, const Limits& limits) {
                             step, limits.modules, limits.bytes)};
   const Production& rule = expander.rule();
   if (expander.stop() == Expander::Stop::depth)
-    return {rule.where,
-            fmt::format("step {}: `{}` takes its own outcome apart again and again, still so after "
-                        "{} times; add a condition that ends it",
-                        step, rule.text, kDeepest)};
+    return {rule.where, fmt::format("step {}: `{}` takes its own outcome apart again and again, still so "
+                                    "after {} times; add a condition that ends it",
+                                    step, rule.text, kDeepest)};
   return {rule.where, fmt::format("step {}: {}", step, expander.fault())};
 }
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <span>
-
 #include "grammar/grammar.h"
 
 namespace frond {

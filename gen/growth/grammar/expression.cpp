@@ -29,6 +29,21 @@ constexpr std::array kFunctions{
     Function{"pow", Op::power, 2, 2}, Function{"rand", Op::rand, 2, 2},   Function{"nrand", Op::nrand, 2, 2},
 };
 
+/// An operator between two values; the stronger binds closer.
+struct Operator {
+  std::string_view sign;
+  int strength;
+  Op op;
+};
+
+/// Longer signs first.
+constexpr Operator kOperators[] = {
+    {"<=", 1, Op::less_equal}, {">=", 1, Op::greater_equal}, {"==", 1, Op::equal},   {"!=", 1, Op::not_equal},
+    {"<>", 1, Op::not_equal},  {"<", 1, Op::less},           {">", 1, Op::greater},  {"=", 1, Op::equal},
+    {"+", 2, Op::add},         {"-", 2, Op::subtract},       {"*", 3, Op::multiply}, {"/", 3, Op::divide},
+    {"%", 3, Op::modulo},
+};
+
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -106,6 +121,8 @@ class Parser {
       read_second(Op::jump_if_false, &Parser::read_comparison);
   }
 
+  void read_comparison() { read_binary(1); }
+
   void read_second(Op jump, void (Parser::*side)()) {
     std::size_t from = code_.size();
     code_.push_back({jump});
@@ -116,57 +133,18 @@ class Parser {
     barrier_ = code_.size();
   }
 
-  void read_comparison() {
-    read_sum();
-    struct Sign {
-      std::string_view text;
-      Op op;
-    };
-    static constexpr std::array<Sign, 8> kSigns{{{"<=", Op::less_equal},
-                                                 {">=", Op::greater_equal},
-                                                 {"==", Op::equal},
-                                                 {"!=", Op::not_equal},
-                                                 {"<>", Op::not_equal},
-                                                 {"<", Op::less},
-                                                 {">", Op::greater},
-                                                 {"=", Op::equal}}};
-    for (bool more = true; more && !in_.failed();) {
-      more = false;
-      for (const Sign& sign : kSigns) {
-        if (!in_.consume(sign.text)) continue;
-        read_sum();
-        emit({sign.op});
-        more = true;
-        break;
-      }
-    }
-  }
-
-  void read_sum() {
-    read_product();
-    while (!in_.failed()) {
-      if (in_.consume("+"))
-        read_product(), emit({Op::add});
-      else if (in_.consume("-"))
-        read_product(), emit({Op::subtract});
-      else
-        return;
-    }
-  }
-
-  void read_product() {
+  /// Reads values with operators between them that bind at least so strongly, from the left.
+  void read_binary(int strength) {
     read_sign();
     while (!in_.failed()) {
       in_.skip_blanks();
-      auto sign = static_cast<std::uint32_t>(in_.at);
-      if (in_.consume("*"))
-        read_sign(), emit({Op::multiply});
-      else if (in_.consume("/"))
-        read_sign(), emit({Op::divide, 0, sign});
-      else if (in_.consume("%"))
-        read_sign(), emit({Op::modulo, 0, sign});
-      else
-        return;
+      auto place = static_cast<std::uint32_t>(in_.at);
+      const Operator* found = std::ranges::find_if(
+          kOperators, [&](const Operator& o) { return in_.text.substr(place).starts_with(o.sign); });
+      if (found == std::end(kOperators) || found->strength < strength) return;
+      in_.consume(found->sign);
+      read_binary(found->strength + 1);
+      emit({found->op, 0, place});
     }
   }
 
@@ -228,11 +206,15 @@ class Parser {
     if (name == "pi") return emit({Op::constant, 0, 0, kPi});
     std::vector<std::string_view> known(scope_.variables.begin(), scope_.variables.end());
     for (const Constant& constant : scope_.constants) known.push_back(constant.name);
+    in_.fail(fmt::format("`{}` is not a parameter of the rule, nor a constant; {}", name,
+                         known.empty() ? "declare it in `constants`" : hint(name, known)),
+             start);
+  }
+
+  static std::string hint(std::string_view name, const std::vector<std::string_view>& known) {
     std::string_view near = nearest_name(name, known);
-    std::string hint = near.empty() ? known.empty() ? "declare it in `constants`"
-                                                    : fmt::format("known are {}", fmt::join(known, ", "))
-                                    : fmt::format("did you mean `{}`?", near);
-    in_.fail(fmt::format("`{}` is not a parameter of the rule, nor a constant; {}", name, hint), start);
+    return near.empty() ? fmt::format("known are {}", fmt::join(known, ", "))
+                        : fmt::format("did you mean `{}`?", near);
   }
 
   const Constant* find(std::string_view name) const {
@@ -269,10 +251,7 @@ class Parser {
     if (function == kFunctions.end()) {
       std::vector<std::string_view> names{"ramp"};
       for (const Function& f : kFunctions) names.push_back(f.name);
-      std::string_view near = nearest_name(name, names);
-      std::string hint = near.empty() ? fmt::format("known are {}", fmt::join(names, ", "))
-                                      : fmt::format("did you mean `{}`?", near);
-      return in_.fail(fmt::format("there is no function `{}`; {}", name, hint), start);
+      return in_.fail(fmt::format("there is no function `{}`; {}", name, hint(name, names)), start);
     }
     std::size_t count = 0;
     if (!in_.consume(")")) {

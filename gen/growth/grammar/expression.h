@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -87,6 +88,13 @@ inline double evaluate(const Expression& formula, Evaluation& at) {
       return run(formula, at);
   }
   return 0;
+}
+
+/// The value of a formula as a parameter: one that is not finite is a fault.
+inline double finite_value(const Expression& formula, Evaluation& at) {
+  double value = evaluate(formula, at);
+  if (!std::isfinite(value)) at.fail(FormulaFault::not_finite, formula.place);
+  return value;
 }
 
 /// A named number, or a named array of numbers.

@@ -27,9 +27,8 @@ Errors out_of_range();
 struct Outline {
   std::vector<Vec3> points;
   int color = 0;
-  std::int32_t node =
-      Skeleton::kRoot;   ///< of the skeleton, where it grows; kRoot where nothing was drawn before
-  std::uint64_t id = 0;  ///< its number in the figure, or derived from the name of its module
+  std::int32_t node = Skeleton::kRoot;  ///< of the skeleton, where it grows; kRoot: nothing was drawn before
+  std::uint64_t id = 0;                 ///< its number in the figure, or derived from the name of its module
 };
 
 /// A place where a shape belongs: an organ named in the grammar.

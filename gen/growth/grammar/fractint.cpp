@@ -114,10 +114,9 @@ class FractintReader {
       if (key == "AXIOM") return void((axiom_ = line, axiom_.text = value, has_axiom_ = true));
       std::optional<double> given = number(value);
       if (!given || *given < 3 || *given > 360 || *given != std::floor(*given))
-        return fail(line, value,
-                    fmt::format("`{}`: the angle is a whole number from 3 on, how many turns are "
-                                "a full one",
-                                value));
+        return fail(
+            line, value,
+            fmt::format("`{}`: the angle is a whole number from 3 on, how many turns are a full one", value));
       return void(angles_ = static_cast<int>(*given));
     }
     if (!value.starts_with('=') || key.size() != 1)

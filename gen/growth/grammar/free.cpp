@@ -174,12 +174,7 @@ std::optional<Errors> step_free(const Grammar& grammar, const Derivation& state,
   Table table(grammar);
   if (!table.fits()) return std::nullopt;
   int number = state.steps + 1;
-  FreeStep step{grammar,
-                table,
-                state.word,
-                out,
-                seed.child("step", static_cast<std::uint64_t>(number)),
-                static_cast<double>(number)};
+  FreeStep step{grammar, table, state.word, out, seed.child("step", number), static_cast<double>(number)};
   std::size_t size = state.word.size(), chunks = (size + kFreeChunk - 1) / kFreeChunk;
   std::vector<Place> places(chunks + 1);
   auto end_of = [&](std::size_t i) { return std::min(size, (i + 1) * kFreeChunk); };

@@ -1,4 +1,3 @@
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +5,6 @@
 
 #include "core/parallel.h"
 #include "grammar/fast.h"
-#include "grammar/match.h"
 #include "grammar/rewrite.h"
 
 namespace frond {
@@ -85,11 +83,7 @@ class Rewriter {
 
   void write(const Production& rule, Word& out) {
     out.symbols.insert(out.symbols.end(), rule.successor.begin(), rule.successor.end());
-    for (const Expression& argument : rule.arguments) {
-      double value = evaluate(argument, at_);
-      if (!std::isfinite(value)) at_.fail(FormulaFault::not_finite, argument.place);
-      out.parameters.push_back(value);
-    }
+    for (const Expression& argument : rule.arguments) out.parameters.push_back(finite_value(argument, at_));
   }
 
   Error trouble(std::size_t i, SymbolId symbol, const double* parameters, int index) const {

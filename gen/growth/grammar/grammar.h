@@ -95,7 +95,6 @@ struct Making {
 struct Production {
   SymbolId predecessor = 0;
   std::vector<SymbolId> left, right;  ///< right may hold brackets
-  int left_variables = 0;             ///< number of parameters of the left context
   int variables = 0;                  ///< number of parameters in all
   bool conditional = false, weighted = false;
   Expression condition, weight;

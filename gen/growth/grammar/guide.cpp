@@ -30,7 +30,7 @@ void list_children(Guide& guide) {
   std::vector<std::uint32_t> next = guide.first_child;
   for (std::size_t i = 0; i < guide.points.size(); ++i)
     if (std::int32_t parent = guide.points[i].parent; parent != GuidePoint::kRoot)
-      guide.child[next[static_cast<std::size_t>(parent)]++] = static_cast<std::int32_t>(i);
+      guide.child[next[parent]++] = static_cast<std::int32_t>(i);
 }
 
 /// Whether every point hangs from a first one: walks up, marking what is known to.
@@ -73,8 +73,7 @@ std::vector<GuidePoint> bent(const std::vector<GuidePoint>& points) {
   constexpr int kPieces = 12;
   auto handled = [](const GuidePoint& p) { return p.in || p.out; };
   auto is_bent = [&](const GuidePoint& p) {
-    return p.parent != GuidePoint::kRoot &&
-           (handled(p) || handled(points[static_cast<std::size_t>(p.parent)]));
+    return p.parent != GuidePoint::kRoot && (handled(p) || handled(points[p.parent]));
   };
   std::vector<std::int32_t> number;  // of each point among all
   for (std::int32_t next = 0; const GuidePoint& p : points) {
@@ -84,9 +83,9 @@ std::vector<GuidePoint> bent(const std::vector<GuidePoint>& points) {
   std::vector<GuidePoint> all;
   for (const GuidePoint& p : points) {
     std::int32_t before = p.parent;
-    if (before != GuidePoint::kRoot) before = number[static_cast<std::size_t>(p.parent)];
+    if (before != GuidePoint::kRoot) before = number[p.parent];
     if (is_bent(p)) {
-      const GuidePoint& from = points[static_cast<std::size_t>(p.parent)];
+      const GuidePoint& from = points[p.parent];
       DVec3 control[] = {from.at, from.at + handle_of(from.out, from.in), p.at + handle_of(p.in, p.out),
                          p.at};
       for (int k = 1; k < kPieces; ++k) {
@@ -190,7 +189,7 @@ Result<Guide> guide_of(const GuideText& text) {
 }
 
 void lead(const Guide& guide, TurtleState& turtle, std::int32_t target) {
-  const GuidePoint& point = guide.points[static_cast<std::size_t>(target)];
+  const GuidePoint& point = guide.points[target];
   DVec3 offset = point.at - turtle.position;
   double distance = glm::length(offset);
   turtle.target = target;
@@ -211,7 +210,7 @@ std::span<const std::int32_t> follow(const Guide& guide, TurtleState& turtle) {
     turtle.target = guide.roots[0];
   }
   std::int32_t target = turtle.target;
-  const GuidePoint& point = guide.points[static_cast<std::size_t>(target)];
+  const GuidePoint& point = guide.points[target];
   std::span<const std::int32_t> children = guide.children(target);
   bool there = glm::distance(turtle.position, point.at) <= guide.tolerance;
   if (there || (children.empty() && !guide.reach_ends)) {

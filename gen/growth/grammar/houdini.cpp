@@ -267,9 +267,7 @@ class HoudiniReader {
       return !other.weight.empty() && other.head == rules_[last].head &&
              other.condition == rules_[last].condition;
     };
-    if (rules_[last].weight.empty() ||
-        std::any_of(rules_.begin() + static_cast<std::ptrdiff_t>(last) + 1, rules_.end(), same))
-      return {};
+    if (rules_[last].weight.empty() || std::any_of(rules_.begin() + last + 1, rules_.end(), same)) return {};
     std::optional<double> total = 0;
     std::string sum;
     for (const HoudiniRule& rule : rules_) {
@@ -339,9 +337,8 @@ class HoudiniReader {
     std::vector<std::string> kept;
     std::string symbols;
     for (HoudiniRule& rule : rules_) {
-      if (rule.head != rule.predecessor) {
+      if (rule.head != rule.predecessor)
         fail(rule.line, "x, y and z cannot be had in a grammar with contexts");
-      }
       if (!rule.position) continue;
       symbols += rule.predecessor[0];
       std::string symbol(1, rule.predecessor[0]);

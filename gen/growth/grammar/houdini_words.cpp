@@ -11,8 +11,6 @@ namespace frond {
 
 namespace {
 
-using import_text::trim;
-
 constexpr std::string_view kLeaves = "JKM", kColorSigns = "'#";
 
 struct Missing {
@@ -23,8 +21,7 @@ constexpr Missing kMissing[] = {
     {"in",
      "asks whether a place lies within the shape at the node's second input; ways round: give the shape as a "
      "formula of x, y and z, as `x*x+(y-1)*(y-1)+z*z<1`; let the kind `colonized` fill it; or ask ?E in a "
-     "grammar "
-     "of Frond how far the bodies of a scene are"},
+     "grammar of Frond how far the bodies of a scene are"},
     {"chan", "reads a channel of its node; give the node's value in its place"}};
 
 /// Symbols that the turtle knows; all other letters only have rules.

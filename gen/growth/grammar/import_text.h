@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/plain_text.h"
 #include "core/result.h"
 
 namespace frond {
@@ -19,9 +20,6 @@ struct Line {
   int number = 0;
   std::string_view whole = {};  ///< with its blanks
 };
-
-/// Without blanks at both ends.
-std::string_view trim(std::string_view text);
 
 /// The lines that are not empty, trimmed, with their numbers.
 std::vector<Line> lines_of(std::string_view text);

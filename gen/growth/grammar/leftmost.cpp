@@ -39,8 +39,7 @@ class LeftmostRewriter {
       SymbolId symbol = right_.symbols.back();
       if (grammar_.rules.of[symbol].empty()) continue;
       auto arity = static_cast<std::size_t>(grammar_.symbols[symbol].arity);
-      frame_.assign(right_.parameters.rbegin(),
-                    right_.parameters.rbegin() + static_cast<std::ptrdiff_t>(arity));
+      frame_.assign(right_.parameters.rbegin(), right_.parameters.rbegin() + arity);
       at_.seed = seed.child(state_.word.size());
       at_.draws = 0;
       at_.frame = frame_.data();
@@ -78,10 +77,7 @@ class LeftmostRewriter {
     const Production& rule = grammar_.rules.rules[index];
     if (grammar_.limited) ++state_.uses[index];
     values_.clear();
-    for (const Expression& argument : rule.arguments) {
-      values_.push_back(evaluate(argument, at_));
-      if (!std::isfinite(values_.back())) at_.fail(FormulaFault::not_finite, argument.place);
-    }
+    for (const Expression& argument : rule.arguments) values_.push_back(finite_value(argument, at_));
     if (at_.failed()) return false;
     right_.symbols.pop_back();
     right_.parameters.resize(right_.parameters.size() - arity);

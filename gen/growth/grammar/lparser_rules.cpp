@@ -12,8 +12,6 @@ namespace frond {
 
 namespace {
 
-using import_text::trim;
-
 /// A rule of one letter, without weight or condition. The modules of its successor have their parameters.
 struct LetterRule {
   std::size_t index = 0;  ///< of the rule in the grammar

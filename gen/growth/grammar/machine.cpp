@@ -17,8 +17,6 @@ double sine(double angle) {
 
 namespace {
 
-double sign_of(double x) { return static_cast<double>(x > 0) - static_cast<double>(x < 0); }
-
 double element_of(const std::vector<double>& table, double index, std::uint32_t place, Evaluation& at) {
   if (!(index >= 0 && index < static_cast<double>(table.size())))
     return at.fail(FormulaFault::no_element, place), 0.0;
@@ -34,46 +32,28 @@ double ramp_of(const std::vector<double>& table, double at) {
   return i + 1 < table.size() ? table[i] + (table[i + 1] - table[i]) * share : table.back();
 }
 
-double unary(Op op, double x) {
-  switch (op) {
-    case Op::negate:
-      return -x;
-    case Op::logical_not:
-      return x == 0;
-    case Op::truth:
-      return x != 0;
-    case Op::floor:
-      return std::floor(x);
-    case Op::ceil:
-      return std::ceil(x);
-    case Op::round:
-      return std::round(x);
-    case Op::abs:
-      return std::abs(x);
-    case Op::sign:
-      return sign_of(x);
-    case Op::sqrt:
-      return std::sqrt(x);
-    case Op::exp:
-      return std::exp(x);
-    case Op::log:
-      return std::log(x);
-    case Op::sin:
-      return sine(x);
-    case Op::cos:
-      return sine(x + 90.0);
-    case Op::tan:
-      return std::tan(radians(x));
-    case Op::asin:
-      return degrees(std::asin(x));
-    case Op::acos:
-      return degrees(std::acos(x));
-    case Op::atan:
-      return degrees(std::atan(x));
-    default:
-      return 0;
-  }
-}
+/// Those from Op::negate to Op::atan, in their order.
+constexpr double (*kOfOneValue[])(double) = {
+    [](double x) { return -x; },
+    [](double x) { return x == 0 ? 1.0 : 0.0; },
+    [](double x) { return x != 0 ? 1.0 : 0.0; },
+    [](double x) { return std::floor(x); },
+    [](double x) { return std::ceil(x); },
+    [](double x) { return std::round(x); },
+    [](double x) { return std::abs(x); },
+    [](double x) { return static_cast<double>(x > 0) - static_cast<double>(x < 0); },
+    [](double x) { return std::sqrt(x); },
+    [](double x) { return std::exp(x); },
+    [](double x) { return std::log(x); },
+    sine,
+    [](double x) { return sine(x + 90.0); },
+    [](double x) { return std::tan(radians(x)); },
+    [](double x) { return degrees(std::asin(x)); },
+    [](double x) { return degrees(std::acos(x)); },
+    [](double x) { return degrees(std::atan(x)); },
+};
+constexpr auto kFirstOfOne = static_cast<std::size_t>(Op::negate);
+static_assert(std::size(kOfOneValue) == static_cast<std::size_t>(Op::atan) + 1 - kFirstOfOne);
 
 double binary(const Instruction& now, double a, double b, Evaluation& at) {
   auto by_zero = [&] { return at.fail(FormulaFault::zero_division, now.place), 0.0; };
@@ -160,7 +140,7 @@ double run(const Expression& formula, Evaluation& at) {
         break;
       default:
         if (operands(now.op) == 1) {
-          *top = unary(now.op, *top);
+          *top = kOfOneValue[static_cast<std::size_t>(now.op) - kFirstOfOne](*top);
         } else {
           --top;
           top[0] = binary(now, top[0], top[1], at);

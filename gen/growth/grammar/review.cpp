@@ -95,10 +95,9 @@ std::optional<Error> twin_letter(const Grammar& grammar, const Symbol& symbol, c
   if (latin == '\0' ||
       (act_of(name, grammar.text.dialect) == Act::none && std::ranges::none_of(grammar.symbols, meant)))
     return std::nullopt;
-  return Error{made.where,
-               fmt::format("column {}: `{}` is a letter of another alphabet that looks like `{}`, "
-                           "and nothing rewrites it; in `{}`",
-                           column_of(made.text, made.at), symbol.name, name, made.text)};
+  return Error{made.where, fmt::format("column {}: `{}` is a letter of another alphabet that looks like "
+                                       "`{}`, and nothing rewrites it; in `{}`",
+                                       column_of(made.text, made.at), symbol.name, name, made.text)};
 }
 
 /// That nothing of the axiom is ever rewritten, though there are rules and steps.
@@ -180,11 +179,10 @@ void find_shadowed(const RuleSet& set, Errors& notes) {
         bool certain = !first.conditional && first.limit == GrammarText::kUnlimited &&
                        !(first.weighted && hidden.weighted);
         if (!wider || !certain) continue;
-        notes.push_back(
-            in_rule(hidden, hidden.place,
-                    fmt::format("`{}` can never be used: `{}` ({}) comes first and always matches; "
-                                "put it before, give both a weight, or remove it",
-                                hidden.text, first.text, first.where)));
+        notes.push_back(in_rule(hidden, hidden.place,
+                                fmt::format("`{}` can never be used: `{}` ({}) comes first and always "
+                                            "matches; put it before, give both a weight, or remove it",
+                                            hidden.text, first.text, first.where)));
         break;
       }
     }

@@ -87,8 +87,7 @@ class Expander {
       at.draws = level.draws_below;
       depth = level.depth - 1;
       if (level.next == level.rule->successor.size()) {  // the last one takes the place of its parent
-        values_.erase(values_.begin() + static_cast<std::ptrdiff_t>(level.frame),
-                      values_.begin() + static_cast<std::ptrdiff_t>(frame));
+        values_.erase(values_.begin() + level.frame, values_.begin() + frame);
         frame = level.frame;
         path_.pop_back();
       }
@@ -141,10 +140,7 @@ class Expander {
     at.frame = values_.data() + level.frame;
     at.seed = level.seed;
     at.draws = level.draws;
-    for (std::size_t i = first; i < values_.size(); ++i) {
-      values_[i] = evaluate(*level.argument++, at);
-      if (!std::isfinite(values_[i])) at.fail(FormulaFault::not_finite, (level.argument - 1)->place);
-    }
+    for (std::size_t i = first; i < values_.size(); ++i) values_[i] = finite_value(*level.argument++, at);
     level.draws = at.draws;
     return at.failed() ? halt_at(at, *level.rule) : true;
   }

@@ -189,8 +189,7 @@ Result<GuideLines> skeleton_lines(std::string_view text) {
   if (!file.errors.empty()) return file.errors;
   GuideLines lines;
   for (const SwcNode& node : file.nodes) lines.place.push_back(node.at);
-  std::vector<std::array<std::size_t, 2>>
-      starts;  // a fork, and the child that leaves it; the last comes next
+  std::vector<std::array<std::size_t, 2>> starts;  // a fork, and the child that leaves it; the last is next
   auto go = [&](std::size_t from, std::size_t to) {
     lines.line.push_back({static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to)});
   };

@@ -58,12 +58,8 @@ class Stream {
     const Expression* argument = rule.arguments.data();
     std::array<double, kMostParameters> values;
     for (SymbolId next : rule.successor) {
-      for (int i = 0, n = grammar_.symbols[next].arity; i < n; ++i) {
-        double value = evaluate(*argument, at);
-        if (!std::isfinite(value)) at.fail(FormulaFault::not_finite, argument->place);
-        ++argument;
-        values[static_cast<std::size_t>(i)] = value;
-      }
+      for (int i = 0, n = grammar_.symbols[next].arity; i < n; ++i)
+        values[static_cast<std::size_t>(i)] = finite_value(*argument++, at);
       if (at.failed()) return fail(rule, level, at);
       if (!grow(next, values.data(), level + 1)) return false;
     }

@@ -18,7 +18,7 @@ enum class Act : std::uint8_t {
   none, draw, move, draw_free, move_free, draw_half, move_half, yaw_left, yaw_right, pitch_down, pitch_up, roll_left,
   roll_right, push, pop, turn_back, roll_back, open_polygon, close_polygon, vertex, organ, cut, level, random_turn,
   pitch_by_gravity, bend_by_gravity, set_heading, set_position,
-  // how it draws from here on
+  // how it draws from here on: pairs that scale and divide, then the rest
   narrow, widen, scale_width, divide_width, scale_length, divide_length, scale_angle, divide_angle, next_color,
   previous_color, set_elasticity,
   // what is left to the sink

@@ -256,8 +256,7 @@ class Turtle {
   }
 
   DVec3 pull() const {
-    return now_.pull < 0 ? DVec3(text_.tropism)
-                         : *grammar_.guide.points[static_cast<std::size_t>(now_.pull)].tropism;
+    return now_.pull < 0 ? DVec3(text_.tropism) : *grammar_.guide.points[now_.pull].tropism;
   }
 
   void push() {
@@ -320,38 +319,25 @@ class Turtle {
   void scale(double& quantity, double by) { quantity *= growth_.age < 1 ? 1 + (by - 1) * growth_.age : by; }
 
   void style(Act act, bool given, double value) {
-    double width_by = given ? value : text_.width_scale, length_by = given ? value : text_.length_scale;
-    double angle_by = given ? value : text_.angle_scale;
-    bool divides = !given || text_.dialect != Dialect::lparser;  // whose parameters multiply
     if (changes_width(act)) now_.consume_width();
-    switch (act) {
-      case Act::narrow:
-        return given ? set(now_.width, value) : scale(now_.width, text_.width_scale);
-      case Act::widen:
-        return given ? set(now_.width, value) : scale(now_.width, 1 / text_.width_scale);
-      case Act::scale_width:
-        return scale(now_.width, width_by);
-      case Act::divide_width:
-        return scale(now_.width, divides ? 1 / width_by : width_by);
-      case Act::scale_length:
-        return scale(now_.length, length_by);
-      case Act::divide_length:
-        return scale(now_.length, divides ? 1 / length_by : length_by);
-      case Act::scale_angle:
-        return scale(now_.angle, angle_by);
-      case Act::divide_angle:
-        return scale(now_.angle, divides ? 1 / angle_by : angle_by);
-      case Act::next_color:
-        now_.color = given ? color_index(value) : now_.color + 1;
-        return;
-      case Act::previous_color:
-        now_.color = given ? color_index(value) : now_.color - 1;
-        return;
-      case Act::set_elasticity:
-        if (given) set(now_.elasticity, value);
-        return;
-      default:
-        return;
+    if (act == Act::next_color || act == Act::previous_color) {
+      now_.color = given ? color_index(value) : now_.color + (act == Act::next_color ? 1 : -1);
+    } else if (act == Act::set_elasticity) {
+      if (given) set(now_.elasticity, value);
+    } else {
+      // The others stand in pairs: what scales something, and what divides it.
+      static constexpr std::pair<double TurtleState::*, double GrammarText::*> kScaled[] = {
+          {&TurtleState::width, &GrammarText::width_scale},
+          {&TurtleState::width, &GrammarText::width_scale},
+          {&TurtleState::length, &GrammarText::length_scale},
+          {&TurtleState::angle, &GrammarText::angle_scale}};
+      int place = static_cast<int>(act) - static_cast<int>(Act::narrow);
+      auto [quantity, usual] = kScaled[place / 2];
+      if (act <= Act::widen && given) return set(now_.*quantity, value);
+      double by = given ? value : text_.*usual;
+      // With a parameter those of LParser multiply.
+      bool divides = place % 2 == 1 && (!given || text_.dialect != Dialect::lparser);
+      scale(now_.*quantity, divides ? 1 / by : by);
     }
   }
 

@@ -14,8 +14,7 @@ constexpr double kMargin = 1;                                               // m
 std::string rectangle_svg(const PlanSite& site, std::string_view fill) {
   return fmt::format(
       "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" transform=\"translate({:.2f} "
-      "{:.2f}) "
-      "rotate({:.0f})\" fill=\"{}\"/>\n",
+      "{:.2f}) rotate({:.0f})\" fill=\"{}\"/>\n",
       -site.size.x / 2, -site.size.y / 2, site.size.x, site.size.y, site.at.x, site.at.y, -degrees(site.turn),
       fill);
 }

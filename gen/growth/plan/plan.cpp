@@ -153,11 +153,10 @@ Errors plan_faults(const PlanText& text, double reach) {
   for (std::size_t i = 0; i < text.rooms.size(); ++i) {
     const RoomKind& kind = text.rooms[i];
     if (text.opening > text.cell - 2 * kind.inset)
-      fault(
-          fmt::format("/rooms/{}/inset", i),
-          fmt::format("leaves {:g} m of a cell, too little for openings of {:g} m; expected less, a narrower "
-                      "opening or larger cells",
-                      text.cell - 2 * kind.inset, text.opening));
+      fault(fmt::format("/rooms/{}/inset", i),
+            fmt::format("leaves {:g} m of a cell, too little for openings of {:g} m; expected less, a "
+                        "narrower opening or larger cells",
+                        text.cell - 2 * kind.inset, text.opening));
     if (act_of(kind.symbol, text.grammar.dialect) != Act::none)
       fault(fmt::format("/rooms/{}/symbol", i),
             fmt::format("\"{}\" means something to the turtle; expected another symbol", kind.symbol));

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -81,9 +79,7 @@ struct GroundPlan {
   std::vector<PlanStep> steps;  ///< the first comes in through the gate, from row -1
 
   bool inside(PlanCell c) const { return c.x >= 0 && c.y >= 0 && c.x < size[0] && c.y < size[1]; }
-  int at(PlanCell c) const {
-    return inside(c) ? cells[static_cast<std::size_t>(c.y * size[0] + c.x)] : kFree;
-  }
+  int at(PlanCell c) const { return inside(c) ? cells[c.y * size[0] + c.x] : kFree; }
 };
 
 /// Compiles the grammar of a plan, which knows the symbols of its rooms; words have 100,000 modules at most.
