@@ -1,6 +1,5 @@
 #include "cpfg/preprocess.h"
 
-#include "cpfg/constant.h"
 #include "cpfg/model_folder.h"
 
 namespace frond {

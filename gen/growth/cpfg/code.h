@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,65 +24,43 @@ enum class FormulaKind : std::uint8_t {
   element,
   negate,
   negation,
-  add,
-  subtract,
-  multiply,
-  divide,
-  remainder,
-  power,
-  less,
-  at_most,
-  more,
-  at_least,
-  equal,
-  unequal,
+  operation,
   both,
   either,
   choice,
   call
 };
 
-enum class Function : std::uint8_t {
-  sin,
-  cos,
-  tan,
-  asin,
-  acos,
-  atan,
-  exp,
-  log,
-  sqrt,
-  floor,
-  ceil,
-  trunc,
-  fabs,
-  sign,
-  ran,
-  nran,
-  bran,
-  biran,
-  srand,
-  func,
-  curve_x,
-  curve_y,
-  curve_z,
-  curve_length,
-  print,
-  stop,
-  get_length,
-  set_length
-};
-
 /// A node of a formula. `a`, `b` and `c` are nodes, or what the kind says.
 struct FormulaNode {
   FormulaKind kind;
-  int a =
-      -1;  ///< formal, local, variable: its slot. element: the array. call: the Function. string: its index
-  int b = -1;        ///< element, call: the first argument in Code::lists
-  int c = -1;        ///< element, call: how many arguments
+  int a = -1;  ///< formal, local, variable: its slot. element: the array. call: the function. string: index
+  int b = -1;  ///< element, call: the first argument in Code::lists
+  int c = -1;  ///< element, call: how many arguments. operation, both, either: the operator
   double value = 0;  ///< number: its value
   int line = 0;      ///< call: the index of its place in Code::places
 };
+
+struct Run;
+struct FunctionCall;
+
+struct FormulaFunction {
+  std::string_view name;
+  int least, most;                       ///< how many arguments
+  double (*value)(const FunctionCall&);  ///< nullptr: it has no effect
+  std::string_view refused = {};         ///< what it would need that is not there; empty: nothing
+};
+std::span<const FormulaFunction> formula_functions();
+
+/// An operator between two values. All bind to the left, `^` too.
+struct BinaryOperator {
+  std::string_view sign;
+  int strength;
+  double (*value)(Run&, double, double);      ///< of an operation
+  FormulaKind kind = FormulaKind::operation;  ///< or both, either
+};
+/// Longer signs first.
+std::span<const BinaryOperator> binary_operators();
 
 enum class StatementKind : std::uint8_t {
   assign_local,

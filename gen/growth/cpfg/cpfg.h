@@ -35,8 +35,7 @@ struct Shapes;
 /// The files of a model. Paths are empty where there is none.
 struct CpfgFiles {
   std::filesystem::path grammar, view, animation;
-  std::vector<std::filesystem::path>
-      colours;  ///< `.map` and `.mat`, in the order of the command line of cpfg
+  std::vector<std::filesystem::path> colours;  ///< `.map` and `.mat`, in the order of cpfg's command line
 };
 
 /// A line `key: value` of a view, after the preprocessor; of the animation likewise.
@@ -143,7 +142,7 @@ struct CpfgLimits {
   int steps = 1'000'000;
   std::size_t modules = 40'000'000;  ///< of a word, parameters counted as modules; about 20 bytes each
   std::uint64_t work =
-      2'000'000'000;  ///< operations of formulas and modules looked at, in all; about 15 seconds
+      2'000'000'000;                 ///< operations of formulas, modules looked at, in all; about 15 seconds
   std::uint64_t turns = 10'000'000;  ///< of one loop of a block, with those within it; about a second
 };
 
@@ -157,9 +156,8 @@ struct CpfgRequest {
 struct CpfgDerived {
   CpfgWord word;
   CpfgDrawing drawing;
-  int steps = 0;  ///< how many were made: fewer than asked for where the model stops itself
-  std::vector<std::string>
-      notes;  ///< warnings of the derivation, each once: division by 0, a depth that is reached
+  int steps = 0;                   ///< how many were made: fewer than asked for where the model stops itself
+  std::vector<std::string> notes;  ///< warnings of the derivation, each once: division by 0, a depth reached
 };
 
 /// Reads a model by the path of its `.l` file, with the files beside it. Included files must lie below its

@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <cmath>
 
-#include "cpfg/macros.h"
+#include "core/plain_text.h"
+#include "core/read_as.h"
 
 namespace frond::cpfg {
 
@@ -14,46 +15,36 @@ namespace {
 
 constexpr int kMostPoints = 100'000, kMostSamples = 100'000;
 
-using Spot = std::array<double, 3>;
-
-Spot mix(const Spot& a, const Spot& b, double t) {
-  return {a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t, a[2] + (b[2] - a[2]) * t};
-}
-
-Spot spot(const ControlPoint& point) { return {point.x, point.y, point.z}; }
-
 /// A B-spline with equal knots but for its ends, where they are repeated, at the parameter 0..1 (de Boor's
 /// algorithm).
-Spot clamped_spline(const std::vector<ControlPoint>& points, double parameter) {
+DVec3 clamped_spline(const std::vector<Vec3>& points, double parameter) {
   int count = static_cast<int>(points.size()), degree = std::min(3, count - 1), spans = count - degree;
   auto knot = [&](int i) { return static_cast<double>(std::clamp(i - degree, 0, spans)); };
   double u = parameter * spans;
   int span = std::clamp(static_cast<int>(u), 0, spans - 1) + degree;
-  std::array<Spot, 4> spots;
-  for (int j = 0; j <= degree; ++j)
-    spots[static_cast<std::size_t>(j)] = spot(points[static_cast<std::size_t>(span - degree + j)]);
+  std::array<DVec3, 4> spots;
+  for (int j = 0; j <= degree; ++j) spots[j] = DVec3(points[span - degree + j]);
   for (int r = 1; r <= degree; ++r)
     for (int j = degree; j >= r; --j) {
       double low = knot(span - degree + j), high = knot(span + 1 + j - r);
       auto at = static_cast<std::size_t>(j);
-      spots[at] = mix(spots[at - 1], spots[at], high > low ? (u - low) / (high - low) : 0);
+      spots[at] = spots[at - 1] + (spots[at] - spots[at - 1]) * (high > low ? (u - low) / (high - low) : 0);
     }
-  return spots[static_cast<std::size_t>(degree)];
+  return spots[degree];
 }
 
 /// A uniform cubic B-spline that is not clamped: open, or periodic.
-Spot uniform_spline(const CurveTable& curve, double parameter) {
+DVec3 uniform_spline(const CurveTable& curve, double parameter) {
   int count = static_cast<int>(curve.points.size()), spans = curve.closed ? count : std::max(count - 3, 1);
   double u = std::clamp(parameter, 0.0, 1.0) * spans;
   int span = std::clamp(static_cast<int>(u), 0, spans - 1);
   double t = u - span, s = 1 - t;
   double weights[] = {s * s * s / 6, (3 * t * t * t - 6 * t * t + 4) / 6,
                       (-3 * t * t * t + 3 * t * t + 3 * t + 1) / 6, t * t * t / 6};
-  Spot sum{};
+  DVec3 sum(0);
   for (int k = 0; k < 4; ++k) {
     int index = curve.closed ? (span + k) % count : std::min(span + k, count - 1);
-    Spot point = spot(curve.points[static_cast<std::size_t>(index)]);
-    for (std::size_t i = 0; i < 3; ++i) sum[i] += weights[k] * point[i];
+    sum += weights[k] * DVec3(curve.points[index]);
   }
   return sum;
 }
@@ -63,10 +54,10 @@ double solve(const FunctionTable& function, double x) {
   double low = 0, high = 1, y = 0;
   for (int i = 0; i < 60; ++i) {
     double middle = (low + high) / 2;
-    Spot found = clamped_spline(function.points, middle);
-    y = found[1];
-    if (std::abs(found[0] - x) <= 0.001) break;
-    (found[0] > x ? high : low) = middle;
+    DVec3 found = clamped_spline(function.points, middle);
+    y = found.y;
+    if (std::abs(found.x - x) <= 0.001) break;
+    (found.x > x ? high : low) = middle;
   }
   return y;
 }
@@ -76,11 +67,11 @@ class LabelReader {
  public:
   explicit LabelReader(std::string_view text) : rest_(text) {}
 
-  bool is_empty() const { return without_blanks(rest_).empty(); }
+  bool is_empty() const { return trim(rest_).empty(); }
 
   std::string_view peek() {
     while (!rest_.empty()) {
-      std::string_view line = without_blanks(rest_.substr(0, rest_.find('\n')));
+      std::string_view line = trim(rest_.substr(0, rest_.find('\n')));
       if (!line.empty()) return line;
       skip();
     }
@@ -99,19 +90,16 @@ class LabelReader {
 
 std::vector<float> numbers_of(std::string_view line) {
   std::vector<float> numbers;
-  for (std::size_t at = 0; at < line.size();) {
-    at = std::min(line.find_first_not_of(" \t,", at), line.size());
-    float value = 0;
-    auto [end, error] = std::from_chars(line.data() + at, line.data() + line.size(), value);
-    if (error != std::errc{} || !std::isfinite(value)) break;
-    numbers.push_back(value);
-    at = static_cast<std::size_t>(end - line.data());
+  for (;;) {
+    line.remove_prefix(std::min(line.find_first_not_of(" \t,"), line.size()));
+    std::optional<float> value = consume_as<float>(line);
+    if (!value || !std::isfinite(*value)) return numbers;
+    numbers.push_back(*value);
   }
-  return numbers;
 }
 
 std::string_view after_colon(std::string_view line) {
-  return without_blanks(line.substr(std::min(line.find(':') + 1, line.size())));
+  return trim(line.substr(std::min(line.find(':') + 1, line.size())));
 }
 
 int whole_after_colon(std::string_view line, int most) {
@@ -120,8 +108,8 @@ int whole_after_colon(std::string_view line, int most) {
 }
 
 /// So many lines `x y [z] [multiplicity]` of points in so many dimensions.
-Result<std::vector<ControlPoint>> read_points(LabelReader& file, int lines, std::size_t dimensions) {
-  std::vector<ControlPoint> points;
+Result<std::vector<Vec3>> read_points(LabelReader& file, int lines, std::size_t dimensions) {
+  std::vector<Vec3> points;
   for (int i = 0; i < lines; ++i) {
     std::string_view line = file.next_line();
     std::vector<float> numbers = numbers_of(line);
@@ -129,7 +117,7 @@ Result<std::vector<ControlPoint>> read_points(LabelReader& file, int lines, std:
       return Error{"",
                    fmt::format("`{}`: expected point {} of {}, {} numbers", line, i + 1, lines, dimensions)};
     float times = numbers.size() > dimensions ? std::clamp(numbers[dimensions], 1.0F, 1000.0F) : 1;
-    ControlPoint point{numbers[0], numbers[1], dimensions > 2 ? numbers[2] : 0};
+    Vec3 point(numbers[0], numbers[1], dimensions > 2 ? numbers[2] : 0);
     points.insert(points.end(), static_cast<std::size_t>(times), point);
     if (points.size() > kMostPoints) return Error{"", "more than 100,000 points"};
   }
@@ -147,7 +135,7 @@ Result<NamedFunction> read_one(LabelReader& file, int samples) {
     if (line.starts_with("markers:"))
       for (int i = whole_after_colon(line, kMostPoints); i > 0; --i) file.next_line();
     if (!line.starts_with("points:")) continue;
-    Result<std::vector<ControlPoint>> points = read_points(file, whole_after_colon(line, kMostPoints), 2);
+    Result<std::vector<Vec3>> points = read_points(file, whole_after_colon(line, kMostPoints), 2);
     if (!points) return points.errors();
     read.function.points = std::move(*points);
     if (samples > 2) {
@@ -171,11 +159,11 @@ double FunctionTable::operator()(double x) const {
   return samples[index] + (samples[index + 1] - samples[index]) * share;
 }
 
-std::array<double, 3> CurveTable::operator()(double share) const {
+DVec3 CurveTable::operator()(double share) const {
   double wanted = (std::isnan(share) ? 0 : std::clamp(share, 0.0, 1.0)) * length.back();
   auto next = std::min(std::upper_bound(length.begin(), length.end(), wanted), length.end() - 1);
   auto index = std::max<std::ptrdiff_t>(next - length.begin(), 1);
-  double low = length[static_cast<std::size_t>(index - 1)], high = length[static_cast<std::size_t>(index)];
+  double low = length[index - 1], high = length[index];
   double within = high > low ? (wanted - low) / (high - low) : 0;
   return uniform_spline(*this,
                         (static_cast<double>(index - 1) + within) / static_cast<double>(length.size() - 1));
@@ -212,7 +200,7 @@ Result<ContourFile> read_contour(std::string_view text, bool of_cylinder) {
   if (std::vector<float> numbers = numbers_of(file.peek()); of_cylinder && numbers.size() >= 2) {
     contour.closed = file.next_line().find("closed") != std::string_view::npos;
     int count = static_cast<int>(std::clamp(numbers[0], 0.0F, static_cast<float>(kMostPoints)));
-    Result<std::vector<ControlPoint>> points = read_points(file, count, numbers[1] > 2 ? 3 : 2);
+    Result<std::vector<Vec3>> points = read_points(file, count, numbers[1] > 2 ? 3 : 2);
     if (!points) return points.errors();
     contour.points = std::move(*points);
     return contour;
@@ -233,7 +221,7 @@ Result<ContourFile> read_contour(std::string_view text, bool of_cylinder) {
       contour.closed = is_new ? value.starts_with('c') : value == "bspline-closed";
     ends = !is_new && value == "bspline-endpoint";
   }
-  Result<std::vector<ControlPoint>> points = read_points(file, lines, 3);
+  Result<std::vector<Vec3>> points = read_points(file, lines, 3);
   if (!points) return points.errors();
   contour.points = std::move(*points);
   // A curve that comes to its ends has them three times.
@@ -245,11 +233,11 @@ Result<ContourFile> read_contour(std::string_view text, bool of_cylinder) {
 CurveTable measure(const ContourFile& contour, int samples) {
   CurveTable curve{contour.points, contour.closed, {0}};
   samples = std::clamp(samples, 2, kMostSamples);
-  Spot before = uniform_spline(curve, 0);
+  DVec3 before = uniform_spline(curve, 0);
   for (int i = 1; i < samples; ++i) {
-    Spot now = uniform_spline(curve, i / (samples - 1.0));
+    DVec3 now = uniform_spline(curve, i / (samples - 1.0));
     curve.length.push_back(curve.length.back() +
-                           std::hypot(now[0] - before[0], now[1] - before[1], now[2] - before[2]));
+                           std::hypot(now.x - before.x, now.y - before.y, now.z - before.z));
     before = now;
   }
   return curve;

@@ -1,42 +1,38 @@
 #pragma once
 
-#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/result.h"
+#include "core/vec.h"
 
 namespace frond::cpfg {
 
-/// A control point of a curve, 32 bits a number as in cpfg.
-struct ControlPoint {
-  float x, y, z;
-};
+// Control points have 32 bits a number, as in cpfg.
 
 /// A function of a view: a clamped uniform cubic B-spline as y of x, for x from 0 to 1.
 struct FunctionTable {
-  std::vector<ControlPoint> points;
-  std::vector<double>
-      samples;  ///< at equal steps of x, between which values are linear; empty: none are taken
+  std::vector<Vec3> points;
+  std::vector<double> samples;  ///< at equal steps of x, between which it is linear; empty: none are taken
 
   double operator()(double x) const;
 };
 
 /// A curve of a view, measured along itself at equal steps of its parameter.
 struct CurveTable {
-  std::vector<ControlPoint> points;
+  std::vector<Vec3> points;
   bool closed = false;
   std::vector<double> length;  ///< from the beginning to each step
 
   /// The point at a share 0..1 of the length: x, y, z.
-  std::array<double, 3> operator()(double share) const;
+  DVec3 operator()(double share) const;
 };
 
 /// A contour as its file holds it.
 struct ContourFile {
   std::string name;
-  std::vector<ControlPoint> points;  ///< repeated by their multiplicity
+  std::vector<Vec3> points;  ///< repeated by their multiplicity
   bool closed = false;
 };
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cpfg/directions.h"
-
 namespace frond::cpfg {
 
 namespace {
@@ -73,17 +71,17 @@ std::vector<DVec3> contour_points(int number, const std::map<int, CurveTable>& c
     const CurveTable& curve = found->second;
     // Closed ones are turned until they begin along up; of open ones cpfg leaves out the last tenth of a
     // span.
-    std::array<double, 3> first = curve(0);
-    double length = std::hypot(first[0], first[1]);
-    if (curve.closed && length > 3e-5) x = first[0] / length, y = first[1] / length;
+    DVec3 first = curve(0);
+    double length = std::hypot(first.x, first.y);
+    if (curve.closed && length > 3e-5) x = first.x / length, y = first.y / length;
     if (!curve.closed && curve.length.size() > 2 && curve.length.back() > 0)
       whole = curve.length[curve.length.size() - 2] / curve.length.back();
   }
   for (int i = 0; i < count; ++i) {
     double t = static_cast<double>(i) / (closed ? count : count - 1);
-    std::array<double, 3> p{std::cos(2 * kPi * t), std::sin(2 * kPi * t), 0};
+    DVec3 p(std::cos(2 * kPi * t), std::sin(2 * kPi * t), 0);
     if (found != contours.end()) p = found->second(t * whole);
-    points.push_back({p[0] * x + p[1] * y, p[1] * x - p[0] * y, p[2]});
+    points.emplace_back(p.x * x + p.y * y, p.y * x - p.x * y, p.z);
   }
   return points;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -14,20 +15,36 @@
 
 namespace frond::cpfg {
 
-/// A place that a cylinder goes through, as the turtle stood there.
-struct ControlPlace {
+/// A vector of length 1, or 0 where it has no direction.
+inline DVec3 unit(DVec3 v) {
+  double length = std::sqrt(glm::dot(v, v));
+  return length > 0 && std::isfinite(length) ? v / length : DVec3{0, 0, 0};
+}
+
+/// Turns a vector about an axis of length 1, right-handed.
+inline DVec3 turned(DVec3 v, DVec3 axis, double angle) {
+  double c = std::cos(angle), s = std::sin(angle);
+  return v * c + glm::cross(axis, v) * s + axis * (glm::dot(axis, v) * (1 - c));
+}
+
+/// How the turtle stands, and draws cylinders.
+struct CylinderState {
   DVec3 position{0}, heading{0, 1, 0}, left{-1, 0, 0}, up{0, 0, -1};
-  double radius = 0.5;
-  int contour = 0;  ///< 0: a circle
-  int sides = 8;
-  double arriving = 1.2, leaving = 1.2;  ///< tangents as shares of the distance
-  /// Tangents of the radius's own curve, along and out; both 0: the radius changes evenly.
+  int contour = 0;                       ///< its number; 0: a circle
+  double arriving = 1.2, leaving = 1.2;  ///< `@Gt`: lengths of tangents, as shares of the distance
+  /// `@Gr`: tangents of the radius's own curve, along and out; both 0: the radius changes evenly.
   std::array<double, 2> rise_arriving{}, rise_leaving{};
-  bool rises_by_length =
-      false;       ///< what is out is multiplied with the distance, for the piece that ends here
-  int strips = 0;  ///< of the piece that ends here; 0: as many as others
+  /// What is out is multiplied with the distance, for the piece that ends here.
+  bool rises_by_length = false;
   int color = 0;
-  std::int32_t segment = -1;
+  std::int32_t segment = -1;  ///< that ends here, see figure.cpp
+};
+
+/// A place that a cylinder goes through, as the turtle stood there.
+struct ControlPlace : CylinderState {
+  double radius = 0.5;
+  int sides = 8;
+  int strips = 0;  ///< of the piece that ends here; 0: as many as others
 };
 
 /// The contour at a place of the curve: `share` of the way from one to the other.

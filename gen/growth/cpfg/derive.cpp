@@ -34,14 +34,13 @@ void carry_out_for(Run& run, const std::vector<int>& instances, int CpfgSystem::
 void drop_instances(Run& run, const std::vector<int>& alive) {
   std::vector<bool> kept(run.instances.size());
   for (int instance : alive)  // with those around them, whose variables they may use
-    for (; instance >= 0; instance = run.instances[static_cast<std::size_t>(instance)].parent)
-      kept[static_cast<std::size_t>(instance)] = true;
+    for (; instance >= 0; instance = run.instances[instance].parent) kept[instance] = true;
   for (std::size_t i = 0; i < kept.size(); ++i)
     if (!kept[i]) run.instances[i].values = {};
 }
 
 void set_step(Run& run, const std::vector<int>& instances, int step) {
-  for (int instance : instances) run.instances[static_cast<std::size_t>(instance)].values[kStepSlot] = step;
+  for (int instance : instances) run.instances[instance].values[kStepSlot] = step;
 }
 
 class Deriver {
@@ -119,8 +118,8 @@ class Deriver {
 /// Where a name of an enclosing L-system is, from the nearest outward; instance -1 where none has it.
 SystemInstance::Place place_of(const Run& run, const ExternalName& name, int nearest) {
   for (int above = nearest; above >= 0;) {
-    const SystemInstance& instance = run.instances[static_cast<std::size_t>(above)];
-    const CpfgSystem& system = run.code.systems[static_cast<std::size_t>(instance.system)];
+    const SystemInstance& instance = run.instances[above];
+    const CpfgSystem& system = run.code.systems[instance.system];
     for (std::size_t i = 0; i < system.externals.size(); ++i)
       if (system.externals[i].name == name.name && system.externals[i].count >= name.count)
         return instance.externals[i];
@@ -155,14 +154,13 @@ Run begin_run(const Code& code, const CpfgLimits& limits, std::uint64_t variatio
 
 void begin_instance(Run& run, int instance) {
   constexpr std::size_t kMostValues = 50'000'000;
-  const CpfgSystem& system =
-      run.code.systems[static_cast<std::size_t>(run.instances[static_cast<std::size_t>(instance)].system)];
+  const CpfgSystem& system = run.code.systems[run.instances[instance].system];
   std::size_t values = static_cast<std::size_t>(system.slots);
   if (!run.goes_on(run.instances.size())) return;
   for (const SystemInstance& other : run.instances) values += other.values.size();
   if (values > kMostValues) return run.fail("", "the variables of all L-systems are more than 50,000,000");
   int before = std::exchange(run.instance, instance);
-  SystemInstance& own = run.instances[static_cast<std::size_t>(instance)];
+  SystemInstance& own = run.instances[instance];
   own.values.assign(static_cast<std::size_t>(system.slots), 0);
   for (const ExternalName& name : system.externals) own.externals.push_back(place_of(run, name, own.parent));
   if (system.length >= 0) {
@@ -171,11 +169,8 @@ void begin_instance(Run& run, int instance) {
   }
   if (instance == 0) run.length = own.values[kLengthSlot];
   for (const CpfgArray& array : system.arrays)
-    for (std::size_t i = 0; i < array.initial.size(); ++i) {
-      double value = evaluate(run, array.initial[i]);
-      run.instances[static_cast<std::size_t>(instance)].values[static_cast<std::size_t>(array.slot) + i] =
-          value;
-    }
+    for (std::size_t i = 0; i < array.initial.size(); ++i)  // what is assigned is evaluated first
+      run.instances[instance].values[array.slot + i] = evaluate(run, array.initial[i]);
   carry_out(run, system.start);
   run.instance = before;
 }

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "core/bounds.h"
-#include "cpfg/cylinders.h"
 #include "cpfg/shapes.h"
 #include "cpfg/turtle.h"
 
@@ -143,24 +142,7 @@ class FigureBuilder {
 
   static int strips(std::span<const float> n) { return n.empty() ? kStrips : held_strips(n[0]); }
 
-  ControlPlace control_place() const {
-    const CpfgTurtleState& s = state();
-    return {s.position,
-            s.heading,
-            s.left,
-            s.up,
-            radius(),
-            s.contour,
-            s.sides.value_or(shapes_.sides),
-            s.arriving,
-            s.leaving,
-            s.rise_arriving,
-            s.rise_leaving,
-            s.rises_by_length,
-            0,
-            s.color,
-            s.segment};
-  }
+  ControlPlace control_place() const { return {state(), radius(), state().sides.value_or(shapes_.sides)}; }
 
   /// The end of a cylinder between `{(n)` and `}(n)`.
   void close_cylinder(const OpenOutline& outline) {
@@ -236,10 +218,7 @@ class FigureBuilder {
 
   /// The triangles of a skin whose vertices lie within a range.
   static Surface part_of(const Surface& skin, std::size_t first, std::size_t end) {
-    auto cut = [&](const auto& all) {
-      return std::vector(all.begin() + static_cast<std::ptrdiff_t>(first),
-                         all.begin() + static_cast<std::ptrdiff_t>(end));
-    };
+    auto cut = [&](const auto& all) { return std::vector(all.begin() + first, all.begin() + end); };
     Surface part{cut(skin.position), cut(skin.normal), {}, cut(skin.uv)};
     auto offset = static_cast<std::uint32_t>(first);
     for (const auto& [a, b, c] : skin.triangle)

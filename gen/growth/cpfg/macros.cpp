@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/plain_text.h"
+
 namespace frond::cpfg {
 
 namespace {
@@ -31,7 +33,7 @@ std::optional<MacroArguments> arguments_of(std::string_view text) {
     char c = text[at];
     depth += (c == '(') - (c == ')');
     if (depth == 0) {
-      for (std::string& value : found.values) value = std::string(without_blanks(value));
+      for (std::string& value : found.values) value = std::string(trim(value));
       found.length = at + 1;
       return found;
     }
@@ -64,14 +66,8 @@ std::size_t string_length(std::string_view text) {
   return 0;
 }
 
-std::string_view without_blanks(std::string_view text) {
-  std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == text.npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
-
 void MacroTable::define(std::string_view text) {
-  text = without_blanks(text);
+  text = trim(text);
   std::size_t length = name_length(text);
   if (length == 0 || is_digit(text[0])) {
     error = fmt::format("`#define {}` has no name; expected `#define NAME text`", text);
@@ -90,7 +86,7 @@ void MacroTable::define(std::string_view text) {
     if (list->values.size() > 1 || !list->values[0].empty()) macro.parameters = list->values;
     text.remove_prefix(list->length);
   }
-  macro.body = std::string(without_blanks(text));
+  macro.body = std::string(trim(text));
   macros[name] = std::move(macro);
 }
 

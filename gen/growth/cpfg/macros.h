@@ -44,6 +44,5 @@ std::size_t name_length(std::string_view text);
 /// The length of the string that the text begins with, its quotes included; 0 where it is not closed in its
 /// line.
 std::size_t string_length(std::string_view text);
-std::string_view without_blanks(std::string_view text);
 
 }  // namespace frond::cpfg

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "cpfg/run.h"
 
 namespace frond::cpfg {
@@ -15,8 +13,7 @@ bool takes(Run& run, const PatternModule& pattern, const CpfgWord& word, std::si
   const CpfgModule& module = word.modules[at];
   if (module.symbol != pattern.symbol || module.count != pattern.count) return false;
   for (int i = 0; i < pattern.count; ++i)
-    run.formals[static_cast<std::size_t>(pattern.first + i)] =
-        word.parameters[module.first + static_cast<std::size_t>(i)];
+    run.formals[pattern.first + i] = word.parameters[module.first + static_cast<std::size_t>(i)];
   return true;
 }
 
@@ -111,13 +108,25 @@ bool matches_right(Run& run, const CpfgProduction& production, const WordAround&
   return true;
 }
 
+/// Whether a production's predecessor stands in the word at a place before `end`; its parameters are read.
+bool matches_predecessor(Run& run, const CpfgProduction& production, const CpfgWord& word, std::size_t at,
+                         std::size_t end) {
+  const std::vector<PatternModule>& pattern = production.predecessor;
+  if (pattern.size() > end - at) return false;
+  for (std::size_t i = 0; i < pattern.size(); ++i)
+    if (!takes(run, pattern[i], word, at + i)) return false;
+  return true;
+}
+
 /// Whether a production may be used here. Its block before the condition is carried out where it stands in
 /// the word.
 bool applies(Run& run, const CpfgProduction& production, const CpfgWord& word, std::size_t at,
              std::size_t end, const WordAround* around) {
   if (!run.goes_on() || !matches_predecessor(run, production, word, at, end)) return false;
   WordAround own{word, at, at + production.predecessor.size()};
-  if (!matches_contexts(run, production, around ? *around : own)) return false;
+  if (!around) around = &own;
+  if (!production.left.empty() && !matches_left(run, production, *around)) return false;
+  if (!production.right.empty() && !matches_right(run, production, *around)) return false;
   carry_out(run, production.before);
   return (production.condition < 0 || evaluate(run, production.condition) != 0) && !run.error;
 }
@@ -135,27 +144,13 @@ bool is_part_mark(const Code& code, const CpfgModule& module) {
   return module.instance >= 0 || (module.symbol == '$' && module.count == 0 && code.systems.size() > 1);
 }
 
-bool matches_predecessor(Run& run, const CpfgProduction& production, const CpfgWord& word, std::size_t at,
-                         std::size_t end) {
-  const std::vector<PatternModule>& pattern = production.predecessor;
-  if (pattern.size() > end - at) return false;
-  for (std::size_t i = 0; i < pattern.size(); ++i)
-    if (!takes(run, pattern[i], word, at + i)) return false;
-  return true;
-}
-
-bool matches_contexts(Run& run, const CpfgProduction& production, const WordAround& around) {
-  return (production.left.empty() || matches_left(run, production, around)) &&
-         (production.right.empty() || matches_right(run, production, around));
-}
-
 const CpfgProduction* find_production(Run& run, const ProductionSet& set, Congruential48* lots,
                                       const CpfgWord& word, std::size_t at, std::size_t end,
                                       const WordAround* around) {
   double chance = lots ? lots->next() : 0, sum = 0;
   std::vector<Candidate> candidates;
   for (int index : set.of_symbol[static_cast<unsigned char>(word.modules[at].symbol)]) {
-    const CpfgProduction& production = set.productions[static_cast<std::size_t>(index)];
+    const CpfgProduction& production = set.productions[index];
     if (!applies(run, production, word, at, end, around)) continue;
     if (!lots) return &production;
     double weight = production.weight < 0 ? 1 : evaluate(run, production.weight);

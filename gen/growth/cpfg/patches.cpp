@@ -7,8 +7,7 @@
 #include <span>
 
 #include "core/bounds.h"
-#include "cpfg/directions.h"
-#include "cpfg/macros.h"
+#include "core/plain_text.h"
 #include "cpfg/shapes.h"
 #include "cpfg/turtle.h"
 
@@ -122,7 +121,7 @@ std::vector<std::string_view> filled_lines(std::string_view text) {
   std::vector<std::string_view> lines;
   while (!text.empty()) {
     std::size_t end = std::min(text.find('\n'), text.size());
-    if (std::string_view line = without_blanks(text.substr(0, end)); !line.empty()) lines.push_back(line);
+    if (std::string_view line = trim(text.substr(0, end)); !line.empty()) lines.push_back(line);
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return lines;

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
+#include <charconv>
 
-#include "cpfg/constant.h"
+#include "core/plain_text.h"
 #include "cpfg/macros.h"
 
 namespace frond::cpfg {
@@ -67,6 +67,93 @@ std::vector<LogicalLine> logical_lines(std::string_view text) {
   return lines;
 }
 
+/// Reads by precedence. Whole numbers wrap around.
+class ConstantReader {
+ public:
+  explicit ConstantReader(std::string_view text) : rest_(text) {}
+
+  std::optional<long long> all() {
+    long long value = read(0);
+    if (wrong_ || !trim(rest_).empty()) return std::nullopt;
+    return value;
+  }
+
+ private:
+  struct Operator {
+    std::string_view sign;
+    int strength;
+  };
+
+  static constexpr Operator kOperators[] = {{"||", 1}, {"&&", 2}, {"==", 3}, {"!=", 3}, {"<=", 4},
+                                            {">=", 4}, {"<", 4},  {">", 4},  {"+", 5},  {"-", 5},
+                                            {"*", 6},  {"/", 6},  {"%", 6}};
+
+  static long long apply(std::string_view sign, long long a, long long b) {
+    auto x = static_cast<unsigned long long>(a), y = static_cast<unsigned long long>(b);
+    if (sign == "||") return a || b;
+    if (sign == "&&") return a && b;
+    if (sign == "==") return a == b;
+    if (sign == "!=") return a != b;
+    if (sign == "<=") return a <= b;
+    if (sign == ">=") return a >= b;
+    if (sign == "<") return a < b;
+    if (sign == ">") return a > b;
+    if (sign == "+") return static_cast<long long>(x + y);
+    if (sign == "-") return static_cast<long long>(x - y);
+    if (sign == "*") return static_cast<long long>(x * y);
+    if (b == 0 || b == -1) return sign == "/" ? static_cast<long long>(0 - x) * (b == -1) : 0;
+    return sign == "/" ? a / b : a % b;
+  }
+
+  long long read(int strength) {
+    if (++depth_ > 200) wrong_ = true;
+    if (wrong_) return 0;
+    long long value = unary();
+    for (bool found = true; found && !wrong_;) {
+      found = false;
+      rest_ = trim(rest_);
+      for (const Operator& op : kOperators) {
+        if (!rest_.starts_with(op.sign)) continue;
+        if (op.strength <= strength) break;
+        rest_.remove_prefix(op.sign.size());
+        value = apply(op.sign, value, read(op.strength));
+        found = true;
+        break;
+      }
+    }
+    --depth_;
+    return value;
+  }
+
+  long long unary() {
+    rest_ = trim(rest_);
+    if (rest_.empty() || ++depth_ > 200) wrong_ = true;
+    if (wrong_) return 0;
+    char c = rest_[0];
+    long long value = 0;
+    if (c == '!' || c == '-' || c == '+' || c == '(') {
+      rest_.remove_prefix(1);
+      value = c == '(' ? read(0) : unary();
+      if (c == '!') value = !value;
+      if (c == '-') value = static_cast<long long>(0 - static_cast<unsigned long long>(value));
+      rest_ = trim(rest_);
+      if (c == '(' && !rest_.starts_with(')')) wrong_ = true;
+      if (c == '(' && !wrong_) rest_.remove_prefix(1);
+    } else {
+      std::size_t length = name_length(rest_);
+      if (length == 0) wrong_ = true;
+      std::from_chars(rest_.data(), rest_.data() + length, value);
+      rest_.remove_prefix(length);
+    }
+    --depth_;
+    return value;
+  }
+
+  std::string_view rest_;
+  int depth_ = 0;
+  bool wrong_ = false;
+};
+
 /// A `#if` that is open: whether its lines are kept, and whether one of its parts has been.
 struct OpenCondition {
   bool kept, any, around;
@@ -115,8 +202,7 @@ class Preprocessor {
   bool begins_call(std::string_view line, const std::vector<LogicalLine>& lines, std::size_t next) const {
     if (!table_.ends_in_call(line)) return false;
     for (; next < lines.size(); ++next)
-      if (std::string_view behind = without_blanks(lines[next].text); !behind.empty())
-        return behind.starts_with('(');
+      if (std::string_view behind = trim(lines[next].text); !behind.empty()) return behind.starts_with('(');
     return false;
   }
 
@@ -132,11 +218,11 @@ class Preprocessor {
 
   /// Whether the line is a directive, which it carries out.
   bool read_directive(const LinePlace& place, std::string_view line, std::size_t depth) {
-    std::string_view text = without_blanks(line);
+    std::string_view text = trim(line);
     if (!text.starts_with('#')) return false;
-    text = without_blanks(text.substr(1));
+    text = trim(text.substr(1));
     std::size_t length = name_length(text);
-    std::string_view name = text.substr(0, length), rest = without_blanks(text.substr(length));
+    std::string_view name = text.substr(0, length), rest = trim(text.substr(length));
     if (text.empty()) return true;
     if (read_condition(place, name, rest)) return true;
     constexpr std::string_view kWithoutEffect[] = {"pragma",  "line",   "ident",
@@ -204,7 +290,7 @@ class Preprocessor {
 
   void read_include(const LinePlace& place, std::string_view rest, std::size_t depth) {
     std::string expanded = table_.expanded(rest);
-    std::string_view named = without_blanks(expanded);
+    std::string_view named = trim(expanded);
     std::size_t length = string_length(named);
     if (length < 3) return fail(place, fmt::format("`#include {}`: expected a file's name in quotes", rest));
     std::string name(named.substr(1, length - 2));
@@ -227,6 +313,8 @@ class Preprocessor {
 };
 
 }  // namespace
+
+std::optional<long long> constant_value(std::string_view text) { return ConstantReader(text).all(); }
 
 Result<PlainText> preprocess(const std::string& file, std::string_view text,
                              const std::vector<Predefined>& names, const IncludeReader& include) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,5 +41,9 @@ using IncludeReader = std::function<Result<std::string>(const std::string& name)
 /// more than 8 MB, macros that become more, includes deeper than 20 and more than 2,000 of them are refused.
 Result<PlainText> preprocess(const std::string& file, std::string_view text,
                              const std::vector<Predefined>& names, const IncludeReader& include);
+
+/// The value of the formula of an `#if`: whole numbers, names (which are 0), and C's operators but `?:` and
+/// those on bits. Nothing where it is none.
+std::optional<long long> constant_value(std::string_view text);
 
 }  // namespace frond::cpfg

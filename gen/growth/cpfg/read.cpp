@@ -7,7 +7,6 @@
 #include "core/lookalike.h"
 #include "core/plain_text.h"
 #include "cpfg/cpfg.h"
-#include "cpfg/macros.h"
 #include "cpfg/reader.h"
 #include "cpfg/run.h"
 #include "cpfg/shapes.h"
@@ -22,7 +21,7 @@ template <class Test>
 bool has_line(std::string_view text, std::string_view word, const Test& test) {
   for (std::size_t at = 0; at < text.size();) {
     std::size_t end = std::min(text.find('\n', at), text.size());
-    std::string_view line = cpfg::without_blanks(text.substr(at, end - at));
+    std::string_view line = trim(text.substr(at, end - at));
     if (line.starts_with(word) && test(line.substr(word.size()))) return true;
     at = end + 1;
   }
@@ -33,14 +32,13 @@ bool has_line(std::string_view text, std::string_view word, const Test& test) {
 std::optional<Error> other_language(const std::filesystem::path& path, std::string_view text) {
   auto holds = [&](std::string_view word) { return text.find(word) != text.npos; };
   auto ends = [](char sign) { return [=](std::string_view rest) { return rest.ends_with(sign); }; };
-  auto colon = [](std::string_view rest) { return cpfg::without_blanks(rest) == ":"; };
+  auto colon = [](std::string_view rest) { return trim(rest) == ":"; };
   bool lpfg = holds("lpfgall.h") || has_line(text, "module ", ends(';')) ||
               has_line(text, "derivation length", ends(';')) || has_line(text, "produce ", ends(';'));
   if (lpfg)
-    return Error{
-        path.string(),
-        "this is a model of lpfg (L+C), a program in C++, which cannot be read; write its productions as "
-        "`A(x) : condition --> …` of cpfg, or as rules of a preset"};
+    return Error{path.string(),
+                 "this is a model of lpfg (L+C), a program in C++, which cannot be read; write its "
+                 "productions as `A(x) : condition --> …` of cpfg, or as rules of a preset"};
   bool python =
       has_line(text, "from ", [](std::string_view rest) { return rest.find(" import ") != rest.npos; }) ||
       has_line(text, "import ", [](std::string_view) { return true; }) || has_line(text, "def ", ends(':')) ||
@@ -48,12 +46,11 @@ std::optional<Error> other_language(const std::filesystem::path& path, std::stri
   if (has_ending(path.string(), ".lpy") || python || has_line(text, "production", colon) ||
       has_line(text, "interpretation", colon) ||
       has_line(text, "module ", [](std::string_view) { return true; }))
-    return Error{path.string(),
-                 "this is a model of L-Py, a program in Python, which cannot be read; write each of its "
-                 "productions as "
-                 "`A(t) : t%4 == 0 --> …` of cpfg, or as a rule `A(t) : t%4 == 0 -> …` of a preset, its "
-                 "`interpretation` as "
-                 "the preset's, and what a loop produces as the modules that it makes"};
+    return Error{
+        path.string(),
+        "this is a model of L-Py, a program in Python, which cannot be read; write each of its productions "
+        "as `A(t) : t%4 == 0 --> …` of cpfg, or as a rule `A(t) : t%4 == 0 -> …` of a preset, its "
+        "`interpretation` as the preset's, and what a loop produces as the modules that it makes"};
   return std::nullopt;
 }
 

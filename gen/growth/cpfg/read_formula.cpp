@@ -13,79 +13,6 @@ namespace {
 constexpr int kDeepestFormula = 300;
 constexpr std::size_t kLongestFormula = 10'000;
 
-struct BinaryOperator {
-  std::string_view sign;
-  int strength;
-  FormulaKind kind;
-};
-
-/// Longer signs first. All bind to the left, `^` too.
-constexpr BinaryOperator kBinaryOperators[] = {
-    {"||", 1, FormulaKind::either},   {"&&", 2, FormulaKind::both},     {"==", 3, FormulaKind::equal},
-    {"!=", 3, FormulaKind::unequal},  {"<>", 3, FormulaKind::unequal},  {"<=", 4, FormulaKind::at_most},
-    {">=", 4, FormulaKind::at_least}, {"<", 4, FormulaKind::less},      {">", 4, FormulaKind::more},
-    {"+", 5, FormulaKind::add},       {"-", 5, FormulaKind::subtract},  {"*", 6, FormulaKind::multiply},
-    {"/", 6, FormulaKind::divide},    {"%", 6, FormulaKind::remainder}, {"^", 7, FormulaKind::power}};
-
-enum class Support : std::uint8_t { works, no_effect, refused };
-
-struct FunctionRow {
-  std::string_view name;
-  int least, most;  ///< how many arguments
-  Support support;
-  Function function;
-  std::string_view why;  ///< refused: what would be needed
-};
-
-constexpr std::string_view kWindow = "asks for the window of cpfg, which is not there";
-constexpr FunctionRow kFunctions[] = {
-    {"sin", 1, 1, Support::works, Function::sin, {}},
-    {"cos", 1, 1, Support::works, Function::cos, {}},
-    {"tan", 1, 1, Support::works, Function::tan, {}},
-    {"asin", 1, 1, Support::works, Function::asin, {}},
-    {"acos", 1, 1, Support::works, Function::acos, {}},
-    {"atan", 1, 1, Support::works, Function::atan, {}},
-    {"exp", 1, 1, Support::works, Function::exp, {}},
-    {"log", 1, 1, Support::works, Function::log, {}},
-    {"sqrt", 1, 1, Support::works, Function::sqrt, {}},
-    {"floor", 1, 1, Support::works, Function::floor, {}},
-    {"ceil", 1, 1, Support::works, Function::ceil, {}},
-    {"trunc", 1, 1, Support::works, Function::trunc, {}},
-    {"fabs", 1, 1, Support::works, Function::fabs, {}},
-    {"sign", 1, 1, Support::works, Function::sign, {}},
-    {"ran", 1, 1, Support::works, Function::ran, {}},
-    {"nran", 2, 2, Support::works, Function::nran, {}},
-    {"bran", 2, 2, Support::works, Function::bran, {}},
-    {"biran", 2, 2, Support::works, Function::biran, {}},
-    {"srand", 1, 1, Support::works, Function::srand, {}},
-    {"func", 2, 2, Support::works, Function::func, {}},
-    {"curveX", 2, 2, Support::works, Function::curve_x, {}},
-    {"curveY", 2, 2, Support::works, Function::curve_y, {}},
-    {"curveZ", 2, 2, Support::works, Function::curve_z, {}},
-    {"curveGAL", 1, 1, Support::works, Function::curve_length, {}},
-    {"stop", 1, 1, Support::works, Function::stop, {}},
-    {"GetDerivationLength", 1, 1, Support::works, Function::get_length, {}},
-    {"SetDerivationLength", 1, 1, Support::works, Function::set_length, {}},
-    {"printf", 1, 99, Support::no_effect, Function::print, {}},
-    {"fopen", 2, 2, Support::no_effect, Function::print, {}},
-    {"fprintf", 2, 99, Support::no_effect, Function::print, {}},
-    {"fclose", 1, 1, Support::no_effect, Function::print, {}},
-    {"fflush", 1, 1, Support::no_effect, Function::print, {}},
-    {"play", 0, 99, Support::no_effect, Function::print, {}},
-    {"Display", 1, 1, Support::no_effect, Function::print, {}},
-    {"fscanf", 0, 99, Support::refused, Function::print,
-     "reads numbers from a file while the model grows; write them into the model"},
-    {"inblob", 0, 99, Support::refused, Function::print, "asks for blobs, which are not there"},
-    {"vvXmin", 0, 99, Support::refused, Function::print, kWindow},
-    {"vvXmax", 0, 99, Support::refused, Function::print, kWindow},
-    {"vvYmin", 0, 99, Support::refused, Function::print, kWindow},
-    {"vvYmax", 0, 99, Support::refused, Function::print, kWindow},
-    {"vvZmin", 0, 99, Support::refused, Function::print, kWindow},
-    {"vvZmax", 0, 99, Support::refused, Function::print, kWindow},
-    {"vvScale", 0, 99, Support::refused, Function::print, kWindow},
-    {"atan2", 0, 99, Support::refused, Function::print, "is a name of cpfg that it cannot call"},
-};
-
 }  // namespace
 
 int GrammarReader::add(FormulaNode node) {
@@ -129,12 +56,13 @@ int GrammarReader::read_binary(int strength) {
   int left = read_unary();
   while (!failed() && !at_arrow()) {
     cursor_.peek();
-    const BinaryOperator* op = std::ranges::find_if(
-        kBinaryOperators, [&](const BinaryOperator& row) { return cursor_.rest().starts_with(row.sign); });
-    if (op == std::end(kBinaryOperators) || op->strength < strength) break;
+    std::span<const BinaryOperator> all = binary_operators();
+    auto op = std::ranges::find_if(
+        all, [&](const BinaryOperator& row) { return cursor_.rest().starts_with(row.sign); });
+    if (op == all.end() || op->strength < strength) break;
     cursor_.consume(op->sign);
     int right = read_binary(op->strength + 1);
-    left = add({op->kind, left, right});
+    left = add({op->kind, left, right, static_cast<int>(op - all.begin())});
   }
   return left;
 }
@@ -245,19 +173,19 @@ bool GrammarReader::read_list(char closing, std::vector<int>& nodes) {
 int GrammarReader::read_call(std::string_view name, std::size_t from) {
   std::vector<int> arguments;
   if (!read_list(')', arguments)) return -1;
-  const FunctionRow* row = std::ranges::find(kFunctions, name, &FunctionRow::name);
+  std::span<const FormulaFunction> all = formula_functions();
+  auto row = std::ranges::find(all, name, &FormulaFunction::name);
   int count = static_cast<int>(arguments.size());
-  if (row == std::end(kFunctions)) {
+  if (row == all.end()) {
     fail_at(from, fmt::format("cpfg has no function `{}`", name));
-  } else if (row->support == Support::refused) {
-    fail_at(from, fmt::format("`{}` {}", name, row->why));
+  } else if (!row->refused.empty()) {
+    fail_at(from, fmt::format("`{}` {}", name, row->refused));
   } else if (count < row->least || count > row->most) {
     fail_at(from, fmt::format("`{}` has {} arguments; expected {}", name, count, row->least));
   }
   if (failed()) return -1;
-  if (row->support == Support::no_effect)
-    notes.push_back(fmt::format("{}: `{}` has no effect", where(from), name));
-  FormulaNode node{FormulaKind::call, static_cast<int>(row->function), add_list(arguments), count};
+  if (!row->value) notes.push_back(fmt::format("{}: `{}` has no effect", where(from), name));
+  FormulaNode node{FormulaKind::call, static_cast<int>(row - all.begin()), add_list(arguments), count};
   node.line = add_place(from);
   return add(node);
 }

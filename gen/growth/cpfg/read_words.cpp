@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "cpfg/macros.h"
 #include "cpfg/reader.h"
 
 namespace frond::cpfg {

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cmath>
 
-#include "cpfg/macros.h"
+#include "core/plain_text.h"
 #include "cpfg/run.h"
 
 namespace frond::cpfg {
@@ -78,10 +78,10 @@ bool GrammarReader::consume_section(std::string_view word, bool has_productions)
   bool same =
       rest.size() >= word.size() && (rest[0] | 0x20) == word[0] && rest.substr(1).starts_with(word.substr(1));
   if (!same) return false;
-  std::string_view line = rest.substr(0, rest.find('\n')), behind = without_blanks(line.substr(word.size()));
-  if (behind.starts_with(':')) behind = without_blanks(behind.substr(1));
+  std::string_view line = rest.substr(0, rest.find('\n')), behind = trim(line.substr(word.size()));
+  if (behind.starts_with(':')) behind = trim(behind.substr(1));
   for (std::string_view warnings : {"no warnings", "warnings"})
-    if (behind.starts_with(warnings)) behind = without_blanks(behind.substr(warnings.size()));
+    if (behind.starts_with(warnings)) behind = trim(behind.substr(warnings.size()));
   bool spaced = line.size() == word.size() || std::string_view(" \t:").find(line[word.size()]) != line.npos;
   bool follows = has_productions && spaced && behind.find("-->") != behind.npos && !behind.starts_with("-->");
   if (!behind.empty() && !follows) return false;
@@ -165,7 +165,7 @@ bool GrammarReader::read_item(CpfgSystem& system) {
 void GrammarReader::read_system() {
   CpfgSystem& system = *system_;
   section_ = &system.rules;
-  std::string_view label = without_blanks(cursor_.read_line());
+  std::string_view label = trim(cursor_.read_line());
   std::size_t digits = std::min(label.find_first_not_of("0123456789"), label.size());
   system.number = digits > 0 && digits < 9 ? std::stoi(std::string(label.substr(0, digits)))
                                            : static_cast<int>(code_.systems.size());

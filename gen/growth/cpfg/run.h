@@ -67,12 +67,6 @@ struct WordAround {
   std::size_t first, after;
 };
 
-/// Whether a production's predecessor stands in the word at a place before `end`; its parameters are read.
-bool matches_predecessor(Run& run, const CpfgProduction& production, const CpfgWord& word, std::size_t at,
-                         std::size_t end);
-/// Whether its contexts stand around; their parameters are read.
-bool matches_contexts(Run& run, const CpfgProduction& production, const WordAround& around);
-
 /// The production that is used at a place of a word, or none: the first that matches or, with `lots`, one by
 /// chance. Its parameters are read. `around`: where contexts are looked for; nothing: around the predecessor
 /// in the word itself.

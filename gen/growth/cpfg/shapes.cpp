@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "cpfg/turtle.h"
@@ -99,6 +98,32 @@ class ShapeReader {
   std::vector<std::string> words_;
 };
 
+/// A `.map`: 256 colours of three bytes.
+Result<std::vector<Color>> read_color_map(std::string_view bytes) {
+  if (bytes.size() < 3 * kColors)
+    return Error{"", fmt::format("found {} bytes; expected a colour map of {}", bytes.size(), 3 * kColors)};
+  auto part = [&](std::size_t at) { return static_cast<float>(static_cast<unsigned char>(bytes[at])) / 255; };
+  std::vector<Color> colors;
+  for (std::size_t i = 0; i < kColors; ++i) colors.push_back({part(3 * i), part(3 * i + 1), part(3 * i + 2)});
+  return colors;
+}
+
+/// A `.mat`: records of 15 bytes. Gives what each reflects and emits.
+Result<std::vector<Color>> read_materials(std::string_view bytes) {
+  constexpr std::size_t kRecord = 15, kDiffuse = 5, kEmission = 8;
+  if (bytes.size() < kRecord)
+    return Error{"", fmt::format("found {} bytes; expected materials of {} each", bytes.size(), kRecord)};
+  std::vector<Color> colors(kColors, kLeafGreen);
+  for (std::size_t record = 0; record + kRecord <= bytes.size(); record += kRecord) {
+    auto part = [&](std::size_t at) { return static_cast<unsigned char>(bytes[record + at]); };
+    auto sum = [&](std::size_t i) {
+      return static_cast<float>(std::min(part(kDiffuse + i) + part(kEmission + i), 255)) / 255;
+    };
+    colors[part(0)] = {sum(0), sum(1), sum(2)};
+  }
+  return colors;
+}
+
 std::vector<Color> read_colors(ModelFolder& folder, const std::vector<std::filesystem::path>& files,
                                std::optional<Error>& missing) {
   std::vector<Color> colors;
@@ -129,30 +154,6 @@ Shapes read_shapes(ModelFolder& folder, const std::vector<CpfgViewLine>& view,
   for (const CpfgViewLine& line : view) reader.read(line);
   shapes.colors = read_colors(folder, colors, shapes.missing);
   return shapes;
-}
-
-Result<std::vector<Color>> read_color_map(std::string_view bytes) {
-  if (bytes.size() < 3 * kColors)
-    return Error{"", fmt::format("found {} bytes; expected a colour map of {}", bytes.size(), 3 * kColors)};
-  auto part = [&](std::size_t at) { return static_cast<float>(static_cast<unsigned char>(bytes[at])) / 255; };
-  std::vector<Color> colors;
-  for (std::size_t i = 0; i < kColors; ++i) colors.push_back({part(3 * i), part(3 * i + 1), part(3 * i + 2)});
-  return colors;
-}
-
-Result<std::vector<Color>> read_materials(std::string_view bytes) {
-  constexpr std::size_t kRecord = 15, kDiffuse = 5, kEmission = 8;
-  if (bytes.size() < kRecord)
-    return Error{"", fmt::format("found {} bytes; expected materials of {} each", bytes.size(), kRecord)};
-  std::vector<Color> colors(kColors, kLeafGreen);
-  for (std::size_t record = 0; record + kRecord <= bytes.size(); record += kRecord) {
-    auto part = [&](std::size_t at) { return static_cast<unsigned char>(bytes[record + at]); };
-    auto sum = [&](std::size_t i) {
-      return static_cast<float>(std::min(part(kDiffuse + i) + part(kEmission + i), 255)) / 255;
-    };
-    colors[part(0)] = {sum(0), sum(1), sum(2)};
-  }
-  return colors;
 }
 
 }  // namespace frond::cpfg

@@ -49,10 +49,4 @@ Result<TurtleSurface> read_patches(std::string_view text, double scale, std::arr
 /// A file of triangles: `triangle`, and three lines of x y z.
 Result<TurtleSurface> read_triangles(std::string_view text, double scale);
 
-/// A `.map`: 256 colours of three bytes.
-Result<std::vector<Color>> read_color_map(std::string_view bytes);
-
-/// A `.mat`: records of 15 bytes. Gives what each reflects and emits.
-Result<std::vector<Color>> read_materials(std::string_view bytes);
-
 }  // namespace frond::cpfg

@@ -1,10 +1,9 @@
 #include "cpfg/turtle.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
-#include "cpfg/directions.h"
+#include "core/read_as.h"
 #include "cpfg/shapes.h"
 
 namespace frond::cpfg {
@@ -51,11 +50,10 @@ int cut(double number) { return number == number ? static_cast<int>(std::clamp(n
 
 std::vector<double> numbers_in(std::string_view text) {
   std::vector<double> numbers;
-  for (std::size_t at = 0; at < text.size();) {
-    double value = 0;
-    auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), value);
-    if (error == std::errc{} && std::isfinite(value)) numbers.push_back(value);
-    at = error == std::errc{} ? static_cast<std::size_t>(end - text.data()) : at + 1;
+  while (!text.empty()) {
+    std::optional<double> value = consume_as<double>(text);
+    if (!value) text.remove_prefix(1);
+    if (value && std::isfinite(*value)) numbers.push_back(*value);
   }
   return numbers;
 }
@@ -163,24 +161,13 @@ std::size_t CpfgTurtle::step(std::size_t at) {
 }
 
 void CpfgTurtle::turn(char symbol, double angle) {
-  switch (symbol) {
-    case '+':
-      return turn_in_plane(state.heading, state.left, angle);
-    case '-':
-      return turn_in_plane(state.heading, state.left, -angle);
-    case '&':
-      return turn_in_plane(state.heading, state.up, angle);
-    case '^':
-      return turn_in_plane(state.heading, state.up, -angle);
-    case '/':
-      return turn_in_plane(state.left, state.up, angle);
-    case '\\':
-      return turn_in_plane(state.left, state.up, -angle);
-    case '|':
-      return turn_in_plane(state.heading, state.left, kPi);
-    default:
-      return;
-  }
+  if (symbol == '+') turn_in_plane(state.heading, state.left, angle);
+  if (symbol == '-') turn_in_plane(state.heading, state.left, -angle);
+  if (symbol == '&') turn_in_plane(state.heading, state.up, angle);
+  if (symbol == '^') turn_in_plane(state.heading, state.up, -angle);
+  if (symbol == '/') turn_in_plane(state.left, state.up, angle);
+  if (symbol == '\\') turn_in_plane(state.left, state.up, -angle);
+  if (symbol == '|') turn_in_plane(state.heading, state.left, kPi);
 }
 
 /// Width, colour and elasticity; false where the symbol sets none of them.
@@ -257,7 +244,6 @@ std::size_t CpfgTurtle::step_pair(std::size_t at) {
   }
   if (first == 'T' && second == 'p') carry_frame();
   if (first == 'T' && second == 'f') keep_frame();
-  if (first == 'T' && second == 'x') state.texture = values.empty() ? 0 : cut(values[0]);
   if (first == 'T') set_elasticity(second, values);
   if (first == 'G' && second == 't') set_tangents(values);
   if (first == 'G' && second == 'r') set_rises(values);
@@ -306,7 +292,8 @@ void CpfgTurtle::place_surface(std::size_t at) {
 }
 
 void CpfgTurtle::move(double length) {
-  bend_before();
+  // The tropisms and torques of the view's newer lines.
+  if (!settings_.tropisms.empty()) pull_heading(), roll_up();
   state.position += state.heading * (length * state.scale);
   if (state.elasticity == 0 || settings_.old_direction == DVec3{0, 0, 0}) return;
   auto bend = [&](DVec3& from, DVec3& toward) {

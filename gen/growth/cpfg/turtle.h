@@ -1,16 +1,14 @@
 #pragma once
 
-#include <array>
 #include <map>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
-#include "core/vec.h"
 #include "cpfg/cpfg.h"
+#include "cpfg/cylinders.h"
 
-// The turtle of cpfg: all that its symbols do to it. What asks for its way (queries.cpp) and what draws
+// The turtle of cpfg: all that its symbols do to it. What asks for its way (frame.cpp) and what draws
 // (figure.cpp) walk with it.
 
 namespace frond::cpfg {
@@ -43,23 +41,15 @@ TurtleSettings turtle_settings(const CpfgModel& model);
 std::vector<double> numbers_in(std::string_view text);
 
 /// All that brackets keep.
-struct CpfgTurtleState {
-  DVec3 position{0, 0, 0}, heading{0, 1, 0}, left{-1, 0, 0}, up{0, 0, -1};
+struct CpfgTurtleState : CylinderState {
   DVec3 last_heading{0, 1, 0}, last_up{0, 0, -1};  ///< of the last segment, which twist is reckoned from
   double scale = 1;                                ///< of lengths, and of widths that are set
   double width = 1, elasticity = 0;
   std::vector<double> elasticities;
-  int color = 128, back = 128;  ///< of the front and of the back side
-  int texture = 0;
-  // The state of generalized cylinders, down to `segment`:
-  int contour = 0;                       ///< number of the contour; 0: a circle
-  std::optional<int> sides;              ///< `@!`
-  double arriving = 1.2, leaving = 1.2;  ///< `@Gt`: lengths of tangents, as shares of the distance
-  std::array<double, 2> rise_arriving{}, rise_leaving{};  ///< `@Gr`: see ControlPlace
-  bool rises_by_length = false;                           ///< multiplied with the distance
-  std::int32_t place = -1;    ///< the control place that the cylinder comes from, see figure.cpp
-  std::int32_t segment = -1;  ///< the segment that ends here, see figure.cpp
-  int depth = 0;              ///< of brackets
+  int back = 128;            ///< colour of the back side
+  std::optional<int> sides;  ///< of cylinders, `@!`
+  std::int32_t place = -1;   ///< the control place that a cylinder comes from, see figure.cpp
+  int depth = 0;             ///< of brackets
 };
 
 class CpfgTurtle {
@@ -92,7 +82,6 @@ class CpfgTurtle {
   void level();
   void place_surface(std::size_t at);
   void move(double length);
-  void bend_before();
   void pull_heading();
   void roll_up();
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/files.h"
+#include "core/plain_text.h"
 #include "core/read_as.h"
-#include "cpfg/macros.h"
 
 namespace frond::cpfg {
 
@@ -47,7 +47,7 @@ fs::path beside(const fs::path& grammar, std::string_view extension) {
 
 std::vector<std::string> words_in(std::string_view text) {
   std::vector<std::string> words;
-  while (!(text = without_blanks(text)).empty()) {
+  while (!(text = trim(text)).empty()) {
     std::size_t length = std::min(text.find_first_of(" \t\r\n"), text.size());
     words.emplace_back(text.substr(0, length));
     text.remove_prefix(length);
@@ -123,10 +123,10 @@ Result<std::vector<CpfgViewLine>> read_view(ModelFolder& folder, const fs::path&
     rest.remove_prefix(std::min(line.size() + 1, rest.size()));
     std::size_t colon = line.find(':');
     if (line.starts_with('\t') && !lines.empty())
-      lines.back().value += ' ' + std::string(without_blanks(line));
+      lines.back().value += ' ' + std::string(trim(line));
     else if (colon != line.npos)
-      lines.push_back({std::string(without_blanks(line.substr(0, colon))),
-                       std::string(without_blanks(line.substr(colon + 1))), plain->places[at].text()});
+      lines.push_back({std::string(trim(line.substr(0, colon))), std::string(trim(line.substr(colon + 1))),
+                       plain->places[at].text()});
   }
   return lines;
 }
