@@ -30,8 +30,7 @@ struct Accretion {
 
 /// The surroundings of a skin, in its own space.
 struct AccretionWorld {
-  /// A lower bound of the free distance from a point, metres; negative inside an obstacle. Called from many
-  /// threads.
+  /// A lower bound of the free distance from a point, metres; negative inside an obstacle. Many threads ask.
   std::function<float(Vec3 at, float within)> room;
   /// The share of the light from above that reaches a point, 0..1; empty: all.
   std::function<float(Vec3 at)> light = {};

@@ -9,8 +9,7 @@ namespace frond {
 /// Cuts each triangle into four, `times` times, and rounds the result; its past likewise.
 void refine(Accreted& skin, int times);
 
-/// Moves each vertex outward by `height` metres, and at earlier steps by less, in proportion to the skin's
-/// size.
+/// Moves each vertex outward by `height` metres, and at earlier steps by less, as the skin was smaller.
 void raise(Accreted& skin, const std::vector<float>& height);
 
 }  // namespace frond

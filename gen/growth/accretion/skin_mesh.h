@@ -24,8 +24,7 @@ std::vector<T> means_of_neighbours(const std::vector<std::array<std::uint32_t, 3
 }
 
 /// A closed triangle mesh that can be stretched and keeps its triangles of about one size. Vertices are never
-/// renumbered and know the two vertices that they were inserted between, so that their earlier positions are
-/// known.
+/// renumbered and know the two vertices that they were inserted between, so where they were earlier.
 class SkinMesh {
  public:
   using Triangle = std::array<std::uint32_t, 3>;
@@ -43,8 +42,7 @@ class SkinMesh {
   /// Splits edges longer than 4/3 of `edge`; with `whole` also collapses those shorter than 1/2 of it and
   /// flips edges that improve the triangles.
   void remesh(float edge, bool whole);
-  /// Moves each vertex toward the mean of its neighbours by a share of the offset: `along` the skin, `across`
-  /// it.
+  /// Moves each vertex toward the mean of its neighbours by a share: `along` the skin, `across` it.
   void relax(float along, float across);
 
   /// The remaining vertices in order of their numbers, and the index of each in that order.

@@ -77,8 +77,7 @@ class Between {
     }
   }
 
-  /// Where a segment's nearest one that is in both figures ends in the other; `otherwise` where there is
-  /// none.
+  /// Where a segment's nearest one that is in both figures ends in the other; `otherwise` if there is none.
   static DVec3 anchor(const std::vector<CpfgSegment>& own, const std::vector<std::int32_t>& same,
                       const std::vector<CpfgSegment>& other, std::int32_t segment, DVec3 otherwise) {
     for (; segment != kNone; segment = own[index(segment)].before) {

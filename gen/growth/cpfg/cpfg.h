@@ -160,8 +160,7 @@ struct CpfgDerived {
   std::vector<std::string> notes;  ///< warnings of the derivation, each once: division by 0, a depth reached
 };
 
-/// Reads a model by the path of its `.l` file, with the files beside it. Included files must lie below its
-/// folder.
+/// Reads a model by the path of its `.l` file, with files beside it. Included ones lie below its folder.
 Result<CpfgModel> read_cpfg(const std::filesystem::path& path);
 /// Reads a model as the other read_cpfg() does, with `text` as what the `.l` file holds.
 Result<CpfgModel> read_cpfg(const std::filesystem::path& path, std::string_view text);

@@ -15,8 +15,7 @@ namespace {
 
 constexpr int kMostPoints = 100'000, kMostSamples = 100'000;
 
-/// A B-spline with equal knots but for its ends, where they are repeated, at the parameter 0..1 (de Boor's
-/// algorithm).
+/// A B-spline with equal knots, repeated at its ends, at the parameter 0..1 (de Boor's algorithm).
 DVec3 clamped_spline(const std::vector<Vec3>& points, double parameter) {
   int count = static_cast<int>(points.size()), degree = std::min(3, count - 1), spans = count - degree;
   auto knot = [&](int i) { return static_cast<double>(std::clamp(i - degree, 0, spans)); };

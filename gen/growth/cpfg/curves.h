@@ -46,8 +46,7 @@ struct NamedFunction {
 /// Reads a `.fset` file.
 Result<std::vector<NamedFunction>> read_function_set(std::string_view text);
 
-/// Reads a `.con` file of any form. Of cylinders' contours those of version 1.1 are closed unless they say
-/// `open`.
+/// Reads a `.con` file of any form. Cylinders' contours of version 1.1 are closed unless they say `open`.
 Result<ContourFile> read_contour(std::string_view text, bool of_cylinder = false);
 
 /// A contour measured by so many points.

@@ -40,8 +40,7 @@ CylinderRing first_ring(const ControlPlace& place) {
           place.contour,  place.contour, 0,          place.color};
 }
 
-/// How the radius changes from a place to the next: a Hermite curve of its own, of the share of the way and
-/// the radius.
+/// How the radius changes from a place to the next: a Hermite curve of the share of the way and the radius.
 class RadiusCurve {
  public:
   RadiusCurve(const ControlPlace& from, const ControlPlace& to, double distance)
@@ -69,8 +68,7 @@ std::vector<DVec3> contour_points(int number, const std::map<int, CurveTable>& c
   double x = 1, y = 0, whole = 1;
   if (found != contours.end()) {
     const CurveTable& curve = found->second;
-    // Closed ones are turned until they begin along up; of open ones cpfg leaves out the last tenth of a
-    // span.
+    // Closed ones are turned to begin along up; of open ones cpfg leaves out the last tenth of a span.
     DVec3 first = curve(0);
     double length = std::hypot(first.x, first.y);
     if (curve.closed && length > 3e-5) x = first.x / length, y = first.y / length;

@@ -12,8 +12,7 @@ namespace frond::cpfg {
 
 namespace {
 
-/// What EndEach, StartEach and End are carried out for: the first instance, and those whose parts are in the
-/// word.
+/// What EndEach, StartEach and End are carried out for: the first instance, and those with parts in the word.
 std::vector<int> living(const Run& run, const CpfgWord& word) {
   std::vector<int> list{0};
   if (run.code.systems.size() == 1) return list;

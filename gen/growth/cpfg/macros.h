@@ -15,8 +15,7 @@ struct MacroText {
   std::string body;
 };
 
-/// The macros that are defined, and how to replace them. An error stays in `error`, and nothing is replaced
-/// any more.
+/// The macros that are defined, and how to replace them. After an error, in `error`, nothing is replaced.
 struct MacroTable {
   std::map<std::string, MacroText, std::less<>> macros;
   std::string error;
@@ -41,8 +40,7 @@ struct MacroTable {
 bool is_name_letter(char c);
 /// The length of the run of letters, digits and `_` that the text begins with.
 std::size_t name_length(std::string_view text);
-/// The length of the string that the text begins with, its quotes included; 0 where it is not closed in its
-/// line.
+/// The length of the string that the text begins with, quotes included; 0 if not closed in its line.
 std::size_t string_length(std::string_view text);
 
 }  // namespace frond::cpfg

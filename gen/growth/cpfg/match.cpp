@@ -118,8 +118,7 @@ bool matches_predecessor(Run& run, const CpfgProduction& production, const CpfgW
   return true;
 }
 
-/// Whether a production may be used here. Its block before the condition is carried out where it stands in
-/// the word.
+/// Whether a production may be used here. Its block before the condition is run where it stands in the word.
 bool applies(Run& run, const CpfgProduction& production, const CpfgWord& word, std::size_t at,
              std::size_t end, const WordAround* around) {
   if (!run.goes_on() || !matches_predecessor(run, production, word, at, end)) return false;

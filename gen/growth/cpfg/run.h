@@ -43,8 +43,7 @@ struct Run {
   const CpfgSystem& system() const;
   /// Counts `more` operations. False when there were too many, or there is an error.
   bool goes_on(std::uint64_t more = 1);
-  /// Counts a turn of a loop. False when there were too many, or there is an error; `place` is an index into
-  /// Code::places.
+  /// Counts a turn of a loop. False if there were too many, or an error; `place` is an index in Code::places.
   bool turns_on(int place);
   void fail(std::string where, std::string what);
 };

@@ -103,8 +103,7 @@ std::size_t read_with(const CpfgWord& word, std::size_t at, std::size_t end);
 /// Whether a word asks for the turtle: `?P`, `?H`, `?L`, `?U`, `?Q`.
 bool has_queries(const CpfgWord& word);
 
-/// Walks along the drawing of a word and writes position, heading, left or up into the parameters of its
-/// queries.
+/// Walks along the drawing of a word and writes position, heading, left or up into its queries' parameters.
 void answer_queries(const TurtleSettings& settings, const CpfgDrawing& drawing, CpfgWord& word);
 
 }  // namespace frond::cpfg

@@ -28,8 +28,7 @@ class ModelFolder {
 };
 
 std::vector<std::string> words_in(std::string_view text);
-/// The number that a word begins with, in any locale; 0 where it begins with none. The second one is cut to a
-/// whole number.
+/// The number that a word begins with, in any locale; 0 where it begins with none. The second one is whole.
 double leading_number(std::string_view word);
 int leading_whole(std::string_view word);
 

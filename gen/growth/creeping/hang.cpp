@@ -19,7 +19,7 @@ constexpr int kPlaceTries = 8;
 
 /// What hinders the end of link `i`, which begins at `at`, from being at `to`: the offset to push it by, or
 /// nothing. What is known of the room about it saves most questions; where nothing hinders, `to` is known
-/// from now on.
+/// then.
 std::optional<DVec3> hindrance(Chain& chain, const TriangleSurface& host, std::size_t i, const DVec3& at,
                                const DVec3& to) {
   assert(i < chain.room.size() && chain.link > 0);

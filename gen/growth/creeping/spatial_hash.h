@@ -42,8 +42,7 @@ class SpatialHash {
   /// The neighbours as seen from a point, given the nodes that gather() found.
   View view(std::span<const DVec3> near, const DVec3& place) const;
 
-  /// Metres from a point to the nearest of the nodes that gather() found; the spacing where none is within
-  /// it.
+  /// Metres from a point to the nearest of the nodes that gather() found; at most the spacing.
   double nearest(std::span<const DVec3> near, const DVec3& place) const;
 
   double spacing() const { return spacing_; }

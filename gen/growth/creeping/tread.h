@@ -17,8 +17,7 @@ struct Tread {
 /// the normal, some direction of that plane.
 DVec3 tangent(const DVec3& direction, const DVec3& normal);
 
-/// A tangent heading rotated about the normal (radians; positive to the left seen from outside); its length
-/// is kept.
+/// A tangent heading rotated about the normal (radians; positive to the left seen from outside), as long.
 DVec3 turned(const DVec3& heading, const DVec3& normal, double angle);
 
 /// A heading turned toward a direction (of any length) by a share 0..1 of the shortest arc between them,

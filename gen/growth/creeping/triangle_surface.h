@@ -62,8 +62,7 @@ class TriangleSurface {
   /// The first crossing on the segment between two points, ends included.
   std::optional<Crossing> crossing(const DVec3& from, const DVec3& to) const;
 
-  /// Whether a point is inside the closed parts of the host (which may overlap). Always false where no part
-  /// is closed.
+  /// Whether a point is inside closed parts of the host (which may overlap). False where no part is closed.
   bool inside(const DVec3& place) const;
 
   bool closed() const { return closed_; }  ///< every part is closed

@@ -186,8 +186,7 @@ std::vector<LeafSite> leaf_sites_near_tips(const Skeleton& s, double reach, doub
     Vec3 side = glm::cross(axis, reference_axis(axis));
     Quat frame =
         glm::quat_cast(glm::mat3(glm::normalize(side), axis, glm::normalize(glm::cross(side, axis))));
-    // The leaves of a branch are counted by their distance from the root, so that they go on from segment to
-    // segment.
+    // The leaves of a branch are counted from the root, so that they go on from segment to segment.
     auto first = static_cast<long long>(std::ceil(s.distance[p] / spacing));
     for (long long k = first; static_cast<double>(k) * spacing < s.distance[i]; ++k) {
       float t = static_cast<float>(static_cast<double>(k) * spacing - s.distance[p]) / length;

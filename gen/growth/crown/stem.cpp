@@ -119,8 +119,7 @@ class Tracer {
     return glm::angleAxis(angle, side / length) * turn;
   }
 
-  /// The heading of a segment that begins at a point, at a share of the stem's length, turned along what is
-  /// in its way.
+  /// The heading of a segment from a point, at a share of the stem's length, turned along what is in its way.
   DQuat aside(DVec3 from, DQuat turn, double share) const {
     DVec3 ahead = heading(turn) * (stem_.length / tree_.stem(stem_.level).curve_res);
     double radius = taper_radius(tree_.stem(stem_.level).taper, stem_.radius, stem_.length, share);

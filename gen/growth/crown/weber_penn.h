@@ -89,16 +89,14 @@ struct WeberPenn {
   double attraction_up = 0;  ///< of stems from the second level on; negative: they hang down
   Pruning pruning;
   int smoothing = 2;  ///< nodes for each segment
-  /// Along which the first trunk is led, its forks as clones that split off; its length is theirs, not
-  /// `scale`.
+  /// Along which the first trunk is led, its forks as clones that split off; as long as they, not `scale`.
   GuideAxes guides = {};
   Detour detour = {};  ///< what stems bend round; what has no way on is cut off
 
   const StemLevel& stem(int n) const { return level[static_cast<std::size_t>(n < 3 ? n : 3)]; }
 };
 
-/// ShapeRatio of the paper: length of a branch at `ratio`, 0 at the top of the crown .. 1 at its lowest
-/// branch.
+/// ShapeRatio of the paper: length of a branch at `ratio`, 0 at the crown's top .. 1 at its lowest branch.
 double shape_ratio(CrownShape shape, double ratio, const Pruning& pruning = {}, double cone_top = 0.2);
 
 /// Radius at `z` (0 foot .. 1 tip) of a stem with that radius and length, by its taper; without flare.

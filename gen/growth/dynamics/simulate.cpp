@@ -222,8 +222,7 @@ void bury(StandNow& now, const StandTree& tree, const TreeDeath& death, double d
                         falls_at_once && death.broken == 0});
 }
 
-/// Storms blow mostly to one side. The strongest gust of a year is of Gumbel's distribution: about 36 m/s in
-/// fifty years.
+/// Storms blow mostly to one side. A year's strongest gust is Gumbel-distributed: about 36 m/s in 50 years.
 YearGust gust_of(const StandNow& now, int year, Seed seed) {
   double natural =
       std::sqrt(now.options.storms) * (24 - 3.2 * std::log(-std::log(std::max(seed.child(0).unit(), 1e-12))));

@@ -80,8 +80,7 @@ struct StandText {
 /// Without events, which are not the stand's own.
 StandOptions options_of(const StandText& text);
 
-/// Faults of a stand, each at a pointer below it: species that are named twice, planted ones that it does not
-/// have.
+/// Faults of a stand, each at a pointer below it: species named twice, planted ones that it does not have.
 Errors stand_faults(const StandText& text);
 
 /// The ground at a place.
@@ -142,8 +141,7 @@ StandLand level_land();
 /// Simulates all years. The same bytes at any number of threads.
 StandHistory simulate_stand(const StandOptions& options, const StandLand& land, Seed seed);
 
-/// The size of a tree, continuous over the years of its life; before it, nothing; after its death, as it
-/// died.
+/// The size of a tree, continuous over the years of its life; nothing before it, and as it died after it.
 TreeSize size_at(const StandHistory& history, std::uint32_t life, double year);
 
 /// Lives that are lived in a year, seedlings of later trees among them, and those whose wood is still there,

@@ -57,8 +57,7 @@ Errors check_places(const Figure& figure);
 Figure figure_of(const Grammar& grammar, const Word& word, Seed seed);
 
 /// What the word after `steps` steps draws; `steps` may be fractional (between.h). The symbols named in
-/// `organs` are sites even without `~` before them. With `named`, random values stay the same while a module
-/// lives.
+/// `organs` are sites even without `~` before them. With `named`, random values stay while a module lives.
 Result<Figure> figure_of(const Grammar& grammar, double steps, Seed seed, const Limits& limits = {},
                          std::span<const std::string> organs = {}, bool named = false);
 

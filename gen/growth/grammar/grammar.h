@@ -156,15 +156,13 @@ struct Grammar {
   std::vector<std::optional<Making>> making;  ///< of each symbol
 };
 
-/// Checks and compiles a grammar. All mistakes are reported, each with the rule, the position in it and what
-/// to do.
+/// Checks and compiles a grammar. All mistakes are reported, each with its rule and place and what to do.
 Result<Grammar> compile(const GrammarText& text);
 
 /// `name(p1,p2)name…`, numbers with ten significant digits.
 std::string text(const Grammar& grammar, const Word& word);
 
-/// Number of occurrences of each name, in the order of the symbols; names that differ only in parameters are
-/// one.
+/// Number of occurrences of each name, in the order of the symbols, whatever parameters it has.
 std::vector<std::pair<std::string, std::size_t>> counts(const Grammar& grammar, const Word& word);
 
 }  // namespace frond

@@ -14,8 +14,7 @@ namespace frond {
 
 struct TurtleState;
 
-/// A target point of a guided turtle, in the turtle's units and axes, and the values that the turtle takes on
-/// there.
+/// A target point of a guided turtle, in the turtle's units and axes, and values that it takes on there.
 struct GuidePoint {
   static constexpr std::int32_t kRoot = -1;
 

@@ -14,16 +14,14 @@ Result<GrammarText> import_lparser(std::string_view text);
 /// `left<A(i)>right:condition=successor:probability`.
 Result<GrammarText> import_houdini(std::string_view text);
 
-/// The L-system of that name in a file of Fractint, `Name { Angle 6 Axiom F F=… }`; without a name the only
-/// one.
+/// The L-system of that name in a file of Fractint, `Name { Angle 6 Axiom F F=… }`; or else the only one.
 Result<GrammarText> import_fractint(std::string_view text, std::string_view system = {});
 
 /// A skeleton as SWC, a node a line: number, type, x, y, z, radius and the number of its parent, -1 for none.
 /// The axiom draws it node by node and has a `T` at each tip. With `z_up` the z of the file becomes y.
 Result<GrammarText> import_skeleton(std::string_view text, bool z_up = false);
 
-/// The lines of such a skeleton: the way from each first node to a tip, then what leaves it, branch by
-/// branch.
+/// The lines of such a skeleton: the way from each first node to a tip, then each branch that leaves it.
 Result<GuideLines> skeleton_lines(std::string_view text);
 
 /// By what is in the text (grammar/kind.h), whatever its lines end by. What of it has no effect here is in

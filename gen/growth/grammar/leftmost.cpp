@@ -30,8 +30,7 @@ class LeftmostRewriter {
     state.word.clear();
   }
 
-  /// Rewrites the leftmost module that has a rule. False when something is wrong or there is none; then
-  /// `error`.
+  /// Rewrites the leftmost module that has a rule. False when something is wrong.
   bool step() {
     at_.step = state_.steps + 1;
     Seed seed = seed_.child("step", static_cast<std::uint64_t>(state_.steps) + 1);

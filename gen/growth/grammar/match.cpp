@@ -10,8 +10,7 @@ namespace {
 
 constexpr std::uint32_t kNone = Neighbours::kNone;
 
-/// The last module that contexts see on the outermost level, from the given end of the word: where a ring
-/// closes.
+/// The last module that contexts see on the outermost level, from the given end: where a ring closes.
 template <bool kFromRight>
 std::uint32_t outermost(const Grammar& grammar, const Word& word) {
   int depth = 0;

@@ -9,8 +9,7 @@
 namespace frond {
 
 /// The derivation tree as SVG: one row per level from the axiom down, a line from each module to each of its
-/// successors. A parent is above the middle of its children. Words of more than 2000 modules are refused as
-/// unreadable.
+/// successors. A parent is above the middle of its children. Words of more than 2000 modules are refused.
 Result<std::string> derivation_tree_svg(const Grammar& grammar, int steps, Seed seed);
 
 /// What a turtle draws, for a picture.

@@ -15,8 +15,7 @@ void find_odd_signs(const GrammarText& text, Errors& errors);
 /// turtle walks, where nothing else would stop a word without end.
 void find_swelling(const Grammar& grammar, Errors& errors);
 
-/// Rules that an earlier one always takes the place of. They do nothing, and nothing is wrong without them:
-/// notes.
+/// Notes rules that an earlier one always takes the place of. They do nothing, and nothing is wrong.
 void find_shadowed(const RuleSet& set, Errors& notes);
 
 /// Decomposition rules that may never end: for any random choice and any condition, their results are

@@ -67,8 +67,7 @@ class Expander {
       : grammar_(grammar), set_(set), most_(most) {}
 
   /// Applies rules up to `depth` levels. Every final module goes to `emit(symbol, parameters)`, which stops
-  /// the expansion by returning false; a number that is not finite stops it too. `at` holds seed, step and
-  /// tables.
+  /// the expansion by returning false, as a number that is not finite does. `at` holds seed, step and tables.
   template <class Emit>
   bool run(SymbolId symbol, const double* parameters, int depth, Evaluation at, Emit& emit) {
     if (set_.of[symbol].empty() || (depth <= 0 && most_ == 0))

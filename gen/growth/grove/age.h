@@ -11,8 +11,7 @@ namespace frond {
 /// one year, as wood rots in calendar time.
 int growth_cycles(const Species& species, double years);
 
-/// The cycle, counted from 0, that a tree is in at an age in years, plus the share of that cycle that is
-/// over.
+/// The cycle, counted from 0, that a tree is in at an age in years, plus the share of it that is over.
 double cycle_at_age(const Species& species, double years);
 
 /// The age in years at which a tree is in a cycle: the inverse of cycle_at_age().

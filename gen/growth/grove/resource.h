@@ -21,8 +21,7 @@ double apical_control(const Species& species, double age, int order);
 void share_by_forks(Metamers& tree, const Species& species, double age, float resource);
 
 /// Distributes `resource` as share_by_forks() does, but by priority lists (Palubicki et al. 2009): the
-/// terminal bud and the laterals of each axis, sorted by light, with weights that fall from the first to the
-/// last.
+/// terminal bud and the laterals of each axis, sorted by light, with weights that fall to the last.
 void share_by_priority(Metamers& tree, const Species& species, double age, float resource);
 
 }  // namespace frond

@@ -8,8 +8,7 @@
 namespace frond {
 
 /// Kills branches that gather too little light for their size (Takenaka 1994), and the whole tree if that is
-/// true of all of it or its life is over. Needs the sums of gather_light(). Returns the number of dead
-/// metamers.
+/// true of all of it or its life is over. Needs the sums of gather_light(). Gives how many metamers died.
 std::size_t die_of_shade(Metamers& tree, const Species& species, Seed seed, int year, double age);
 
 /// The effect of the storm of a year on the wood.

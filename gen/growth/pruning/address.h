@@ -80,8 +80,7 @@ struct BranchPlace {
 Result<BranchPlace> find_place(const Branching& plant, std::span<const std::int32_t> starts,
                                const Address& address);
 
-/// The address of a place. What belongs to no axis, as roots do, is where it leaves one; none if it leaves
-/// none.
+/// The address of a place. What belongs to no axis, as roots, is where it leaves one; none if it leaves none.
 std::optional<Address> address_of(const Branching& plant, BranchPlace place);
 
 }  // namespace frond

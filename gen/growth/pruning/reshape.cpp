@@ -138,8 +138,7 @@ class Shaper {
         out_.position[i] = out_.position[p] + (rest_[i] - rest_[p]) * out_.factor[i];
   }
 
-  /// The nodes of an axis up to one, in their order; without that from which it leaves, or of a stem its
-  /// foot.
+  /// The nodes of an axis up to one, in order; without that from which it leaves, or of a stem its foot.
   std::vector<std::int32_t> limb_to(std::int32_t node) const {
     std::vector<std::int32_t> limb;
     for (std::int32_t i = node; plant_.parent[i] != Skeleton::kRoot; i = plant_.parent[i]) {
