@@ -42,8 +42,7 @@ struct CrawlGuide {
 
 /// A grey, 0 to 1, that is painted on a host and scales what creeps there: 1 as everywhere, 0 nothing.
 struct CrawlMask {
-  /// Projected along its axis; without one, laid on by texture coordinates. No file: the grey of its
-  /// vertices.
+  /// Projected along its axis; without one, by texture coordinates. No file: the grey of the host's vertices.
   Mask picture;
   std::vector<std::string> scales{"leaves"};  ///< of kMaskScales
   double stops = 0;                           ///< strands neither begin nor go where it is below this

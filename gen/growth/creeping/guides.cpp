@@ -1,9 +1,8 @@
-#include "creeping/guides.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/polyline.h"
+#include "creeping/tip.h"
 
 namespace frond {
 

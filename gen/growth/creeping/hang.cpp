@@ -18,8 +18,7 @@ constexpr double kWatched = 0.25;  // links: no more room is taken as known near
 constexpr int kPlaceTries = 8;
 
 /// What hinders the end of link `i`, which begins at `at`, from being at `to`: the offset to push it by, or
-/// nothing. What is known of the room about it saves most questions; where nothing hinders, `to` is known
-/// then.
+/// nothing. What is known of the room about it saves most questions; `to` is known where nothing hinders.
 std::optional<DVec3> hindrance(Chain& chain, const TriangleSurface& host, std::size_t i, const DVec3& at,
                                const DVec3& to) {
   assert(i < chain.room.size() && chain.link > 0);

@@ -1,8 +1,8 @@
-#include "dynamics/species.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "dynamics/stand.h"
 
 namespace frond {
 
