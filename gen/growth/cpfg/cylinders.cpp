@@ -1,7 +1,6 @@
 #include "cpfg/cylinders.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace frond::cpfg {
 

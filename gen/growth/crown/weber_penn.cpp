@@ -26,8 +26,7 @@ struct Whorl {
       side = -side;
       return side * vary(-rotate / 2, rotate_v, seed);
     }
-    turned += vary(rotate, rotate_v, seed);
-    return turned;
+    return turned += vary(rotate, rotate_v, seed);
   }
 };
 

@@ -24,9 +24,7 @@ struct Lines {
     for (const Line& line : lines_of(plain)) {
       if (all.size() == kMost) break;
       std::string lower(line.text);
-      std::ranges::transform(lower, lower.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-      });
+      for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
       std::string_view kept = trim(std::string_view(lower).substr(0, lower.find_first_of("#;")));
       if (!kept.empty()) data.emplace_back(kept);
       all.push_back(std::move(lower));
