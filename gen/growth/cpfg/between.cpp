@@ -14,8 +14,7 @@ V mixed_values(V a, V b, double t) {
   return a + (b - a) * t;
 }
 
-/// Which parts of two lists are the same: those that stand at the same place in the order of what hangs on
-/// the same segment.
+/// Which parts of two lists are the same: those at the same place in the order of what hangs on a segment.
 class SamePlaces {
  public:
   /// Gives an address that parts of both lists share: `on`, told as a segment of the first figure, and how

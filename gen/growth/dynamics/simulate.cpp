@@ -88,8 +88,7 @@ void strike(std::vector<TreeDeath>& deaths, std::span<const StandTree> trees, co
   }
 }
 
-/// Trees that a gust throws or breaks, and those that these strike as they fall. Those that have died already
-/// stay as they are.
+/// Trees that a gust throws or breaks, and those that these strike as they fall; the dead stay as they are.
 void add_storm_deaths(std::vector<TreeDeath>& deaths, std::span<const StandTree> trees,
                       std::span<const TreeSpecies> species, const Canopy& canopy, const YearGust& gust,
                       Seed seed) {

@@ -72,8 +72,7 @@ float reach(const Metamers& t, const Species& s, std::size_t i) {
   return static_cast<float>(1 - smooth_step(0.72, 1.0, far));
 }
 
-/// The direction in which a guide leads from a place: to the point `ahead` of the one nearest to it; none
-/// past its end.
+/// The way that a guide leads from a place: to the point `ahead` of the nearest one; none past its end.
 std::optional<Vec3> led(std::span<const Vec3> guide, Vec3 place, float ahead) {
   float nearest = std::numeric_limits<float>::max();
   std::size_t at = 0;
