@@ -39,7 +39,10 @@ void sow_forest(benchmark::State& state) {
   Land land;
   land.size = 600;
   land.altitude = [&](Vec2 at) { return hill.height(at.x, at.y) + 8; };
-  land.slope = [&](Vec2 at) { return hill.slope(at.x, at.y); };
+  land.slope = [&](Vec2 at) {
+    return std::atan(std::hypot(hill.height(at.x + 0.5, at.y) - hill.height(at.x - 0.5, at.y),
+                                hill.height(at.x, at.y + 0.5) - hill.height(at.x, at.y - 0.5)));
+  };
   land.path = [&](Vec2 at) { return hill.path_distance(at); };
   std::vector<SowOrder> orders(5);
   for (std::size_t o = 0; o < orders.size(); ++o) {

@@ -137,8 +137,8 @@ TEST(Shell, GrowsWithoutAJumpAndNeverShrinks) {
 }
 
 TEST(Shell, PigmentIsTheSameOnOneThreadAndOnTwo) {
-  for (PigmentRegime regime : {PigmentRegime::stripes, PigmentRegime::lines, PigmentRegime::zigzag,
-                               PigmentRegime::tents, PigmentRegime::spots}) {
+  for (ShellPattern regime : {ShellPattern::stripes, ShellPattern::axial, ShellPattern::zigzag,
+                              ShellPattern::tents, ShellPattern::spots}) {
     limit_threads(1);
     Grid one = pigment(regime, 128, 256, Seed{3});
     limit_threads(2);
@@ -154,7 +154,7 @@ TEST(Shell, PigmentIsTheSameOnOneThreadAndOnTwo) {
 
 /// Stripes go on from line to line, waves do not.
 TEST(Shell, RegimesDifferInWhichWayLinesRun) {
-  auto along = [](PigmentRegime regime) {
+  auto along = [](ShellPattern regime) {
     Grid grid = pigment(regime, 128, 256, Seed{3});
     double same = 0, across = 0;
     for (int y = 0; y + 12 < grid.height; ++y)
@@ -164,8 +164,8 @@ TEST(Shell, RegimesDifferInWhichWayLinesRun) {
       }
     return same / across;
   };
-  EXPECT_LT(along(PigmentRegime::stripes), 0.3);
-  EXPECT_GT(along(PigmentRegime::lines), 1.5);
+  EXPECT_LT(along(ShellPattern::stripes), 0.3);
+  EXPECT_GT(along(ShellPattern::axial), 1.5);
 }
 
 }  // namespace

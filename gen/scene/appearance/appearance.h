@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "appearance/bark_coat.h"
-#include "appearance/fish_look.h"
 #include "appearance/leaf_look.h"
 #include "appearance/season.h"
 #include "appearance/skin.h"

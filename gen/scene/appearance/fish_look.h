@@ -1,6 +1,7 @@
 #pragma once
 
 #include "appearance/leaf_look.h"
+#include "preset/describe.h"
 
 namespace frond {
 
@@ -22,6 +23,8 @@ struct FishForm {
   double anal = 0.08;         ///< height of the fin below the tail
   double pectoral = 0.14;     ///< length of the fins at the sides
 };
+
+void describe(Properties& v, FishForm& f);
 
 /// Share of the length at which the body ends and the tail begins.
 inline constexpr double kFishBody = 0.8;
@@ -56,6 +59,8 @@ struct FishLook {
   double gloss = 0.5;   ///< 0 matt .. 1 wet and polished
   int pixels = 384;     ///< of the picture, along the fish
 };
+
+void describe(Properties& v, FishLook& l);
 
 /// Texture coordinates of a point on the side of a fish: `along` from the nose 0 to the tail 1, `up` from its
 /// middle. The lower part of the picture holds the fins at the sides.

@@ -46,7 +46,24 @@ Raster opaque(const Raster& from, const Color& rim) {
   return to;
 }
 
+/// The sprigs along branches, where they are others than those at their ends.
+std::optional<LeafLook> side_sprigs(const LeafLook& look) {
+  if (!look.sprig || !look.end_sprigs || !look.sprigs.end_leaf) return std::nullopt;
+  LeafLook side = look;
+  side.end_sprigs = side.sprigs.end_leaf = false;
+  return side;
+}
+
 }  // namespace
+
+Drawing drawing_of(std::string name, double pixels, double seconds_a_pixel, std::function<Raster()> draw) {
+  auto made = [name, draw = std::move(draw)]() -> Result<std::vector<Picture>> {
+    Result<std::string> bytes = png_text(draw());
+    if (!bytes) return bytes.errors();
+    return std::vector<Picture>{{name, std::move(*bytes)}};
+  };
+  return {{std::move(name)}, std::move(made), pixels, seconds_a_pixel * pixels};
+}
 
 Errors load_leaf_photo(const NamedFile& file, bool colored, LeafLook& look) {
   auto photo = photograph<LeafPhoto>(file, read_leaf_photo,
@@ -95,13 +112,6 @@ Prototype leaf_prototype(const LeafLook& look, double phase) {
   return made;
 }
 
-std::optional<LeafLook> side_sprigs(const LeafLook& look) {
-  if (!look.sprig || !look.end_sprigs || !look.sprigs.end_leaf) return std::nullopt;
-  LeafLook side = look;
-  side.end_sprigs = side.sprigs.end_leaf = false;
-  return side;
-}
-
 std::vector<Prototype> leaf_prototypes(const LeafLook& look) {
   std::vector<Prototype> all{leaf_prototype(look)};
   if (auto side = side_sprigs(look)) all.push_back(leaf_prototype(*side));
@@ -122,15 +132,12 @@ std::vector<Drawing> leaf_drawings(const LeafLook& look) {
   std::vector<Drawing> drawings;
   PictureFrame frame = picture_frame(leaf_image(look, 0));
   double pixels = 2 * frame.half / (frame.high - frame.low) * look.pixels * look.pixels;
-  for (std::size_t i = 0; i < look.looks(); ++i) {
-    auto draw = [name = picture_name(look, i), image = leaf_image(look, i), high = look.pixels,
-                 spots = Seed{spots_of(look, i)}]() -> Result<std::vector<Picture>> {
-      Result<std::string> bytes = png_text(opaque(leaf_picture(image, high, spots), image.rim));
-      if (!bytes) return bytes.errors();
-      return std::vector<Picture>{{name, std::move(*bytes)}};
-    };
-    drawings.push_back({{picture_name(look, i)}, std::move(draw), pixels, kSecondsAPixel * pixels});
-  }
+  for (std::size_t i = 0; i < look.looks(); ++i)
+    drawings.push_back(
+        drawing_of(picture_name(look, i), pixels, kSecondsAPixel,
+                   [image = leaf_image(look, i), high = look.pixels, spots = Seed{spots_of(look, i)}] {
+                     return opaque(leaf_picture(image, high, spots), image.rim);
+                   }));
   if (auto side = side_sprigs(look)) std::ranges::move(leaf_drawings(*side), std::back_inserter(drawings));
   return drawings;
 }

@@ -26,6 +26,9 @@ struct Drawing {
   double seconds = 0;                                  ///< processor time to draw them, on a machine as ours
 };
 
+/// The drawing of one picture; `seconds_a_pixel`: as Drawing::seconds.
+Drawing drawing_of(std::string name, double pixels, double seconds_a_pixel, std::function<Raster()> draw);
+
 enum class LeafShape { birch, beech, oak, maple, ivy, aspen, willow, linden, cherry, ginkgo, own };
 
 /// The colours of one leaf.
@@ -74,13 +77,11 @@ LeafImage leaf_image(const LeafLook& look, std::size_t color);
 /// A leaf as an organ of a model, with the names of its pictures; `phase`, radians, varies the curl.
 Prototype leaf_prototype(const LeafLook& look, double phase = 0);
 
-/// The sprigs along branches, where they are others than those at their ends.
-std::optional<LeafLook> side_sprigs(const LeafLook& look);
-
-/// Its prototype and, behind it, that of side_sprigs().
+/// Its prototype and, behind it, that of the sprigs along branches, where they are others than those at their
+/// ends.
 std::vector<Prototype> leaf_prototypes(const LeafLook& look);
 
-/// The look that a picture of a prototype shows: itself, or that of side_sprigs().
+/// The look that a picture of a prototype shows: itself, or that of the sprigs along branches.
 LeafLook shown_in(const LeafLook& look, const std::string& picture);
 
 /// The pictures of its prototypes in the same order, each drawn separately.

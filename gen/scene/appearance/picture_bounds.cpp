@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <optional>
-
 namespace frond {
 
 namespace {
@@ -18,23 +16,16 @@ void check_pixels(Errors& errors, const char* pointer, double wide, double high,
                             wide, high, kMostPixels, narrower)});
 }
 
-void check_coat(Errors& errors, const std::optional<BarkCoat>& coat) {
-  if (coat) check_pixels(errors, "/coat/pixels", coat->pixels, coat->pixels * coat->aspect, "aspect");
-}
-
-void check_leaves(Errors& errors, const LeafLook& look, const char* pointer) {
-  PictureFrame frame = picture_frame(leaf_image(look, 0));
-  double wide = 2 * frame.half / (frame.high - frame.low);
-  check_pixels(errors, pointer, wide * look.pixels, look.pixels, "width");
-}
-
 }  // namespace
 
 Errors check_pictures(const std::optional<BarkCoat>& coat, const std::optional<LeafLook>& leaves,
                       const char* leaves_pointer) {
   Errors errors;
-  check_coat(errors, coat);
-  if (leaves) check_leaves(errors, *leaves, leaves_pointer);
+  if (coat) check_pixels(errors, "/coat/pixels", coat->pixels, coat->pixels * coat->aspect, "aspect");
+  if (!leaves) return errors;
+  PictureFrame frame = picture_frame(leaf_image(*leaves, 0));
+  double wide = 2 * frame.half / (frame.high - frame.low);
+  check_pixels(errors, leaves_pointer, wide * leaves->pixels, leaves->pixels, "width");
   return errors;
 }
 

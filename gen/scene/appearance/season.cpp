@@ -54,8 +54,6 @@ std::int32_t color_at(const Prototype& leaf, std::int32_t own, float hue) {
   return std::min(n + 2 * n * kSteps + step - kSteps, static_cast<std::int32_t>(leaf.colors.size())) - 1;
 }
 
-double share(double x) { return x - std::floor(x); }
-
 /// Where in its life something is that comes once a year: the whole part says which one of them it is.
 struct Turn {
   std::uint64_t which;
@@ -64,7 +62,7 @@ struct Turn {
 
 Turn turn_of(double year, double first) {
   double since = year - first;
-  return {static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(since))), share(since)};
+  return {static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(since))), glm::fract(since)};
 }
 
 /// What falls: tumbling, aside, and then lying flat.
@@ -252,7 +250,7 @@ LeafState leaf_state(const Seasons& s, double year, Seed leaf) {
   Turn turn = turn_of(year, first);
   Seed lot = leaf.child(turn.which);
   auto early = [&](double at, std::uint64_t k) {
-    return share(at - first) + half * lot.child(k).range(-1, 1);
+    return glm::fract(at - first) + half * lot.child(k).range(-1, 1);
   };
   double age = turn.age, opens = early(s.opening, 0);
   double falls = std::clamp(early(s.fall, 2), opens + kLeastLife, kLatestFall - s.drift);

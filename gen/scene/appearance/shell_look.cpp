@@ -5,15 +5,58 @@
 #include <algorithm>
 #include <cmath>
 
-#include "appearance/describe_shell.h"
 #include "appearance/shell_pigment.h"
 #include "core/content.h"
 #include "core/linear.h"
 #include "core/noise.h"
-#include "images/raster.h"
 #include "preset/keys.h"
 
 namespace frond {
+
+namespace {
+
+constexpr Choice<ShellPattern> kShellPatterns[] = {
+    {"plain", ShellPattern::plain, "nothing but growth bands"},
+    {"bands", ShellPattern::bands, "bands along growth, which run round the whorls"},
+    {"lines", ShellPattern::lines, "lines along the edge, across the whorls"},
+    {"stripes", ShellPattern::stripes, "by reaction, at rest: uneven stripes along growth"},
+    {"axial", ShellPattern::axial, "by reaction, all firing together: uneven lines along the edge"},
+    {"zigzag", ShellPattern::zigzag, "by reaction, waves that meet: oblique lines, as on olives"},
+    {"tents", ShellPattern::tents, "by reaction, waves that fade slowly: triangles, as on cones"},
+    {"spots", ShellPattern::spots, "by reaction, firing here and there"}};
+
+}  // namespace
+
+void describe(Properties& v, ShellLook& l) {
+  v.aspect(Aspect::look);
+  v.color("color", l.color, "Colour of the ground");
+  v.color("second", l.second, "Colour of the pattern");
+  v.color("inside", l.inside, "Colour of the inside");
+  v.color("lip", l.lip, "Colour of the inside near the lip");
+  v.choice("pattern", l.pattern, kShellPatterns, "What the edge has painted as it grew");
+  v.integer("count", l.count, {.min = 1, .max = 200}, "Number of bands, or of lines on a whorl or valve");
+  v.number("width", l.width, {.min = 0.02, .max = 1},
+           "Width of bands and lines, as a share of their distance");
+  v.number("from", l.from, {.min = 0, .max = 1}, "Share of the growth at which the pattern begins");
+  v.number("to", l.to, {.min = 0, .max = 1}, "Share of the growth at which the pattern ends");
+  v.number("mottle", l.mottle, {.min = 0, .max = 1}, "How uneven the colours are");
+  v.number("gloss", l.gloss, {.min = 0, .max = 1}, "How glossy it is: 0 chalky, 1 porcelain");
+  v.number("growth_lines", l.growth_lines, {.min = 0, .max = 1}, "How much fine growth lines show");
+  v.number("variation", l.variation, {.min = 0, .max = 0.5},
+           "How much single ones differ in brightness, as a share");
+  v.integer("cells", l.cells, {.min = 32, .max = 2048},
+            "Cells of the growing edge, and pixels of the picture across; more make a finer reaction");
+  v.integer("seed", l.seed, {.min = 0, .max = 1e9}, "Seed of the pattern");
+}
+
+void describe(Properties& v, MantleLook& m) {
+  v.aspect(Aspect::look);
+  v.color("color", m.color, "Colour of the tissue");
+  v.color("second", m.second, "Colour of its spots");
+  v.color("rim", m.rim, "Colour of the dots along its edge");
+  v.number("spots", m.spots, {.min = 0, .max = 1}, "How much of it is spotted");
+  v.number("glow", m.glow, {.min = 0, .max = 3}, "How brightly it shines by itself");
+}
 
 namespace {
 
@@ -40,21 +83,6 @@ double mark(double phase, double width) {
   return 1 - smooth_step(0.5 * width - kSoft, 0.5 * width + kSoft, off);
 }
 
-PigmentRegime regime_of(ShellPattern pattern) {
-  switch (pattern) {
-    case ShellPattern::stripes:
-      return PigmentRegime::stripes;
-    case ShellPattern::axial:
-      return PigmentRegime::lines;
-    case ShellPattern::tents:
-      return PigmentRegime::tents;
-    case ShellPattern::spots:
-      return PigmentRegime::spots;
-    default:
-      return PigmentRegime::zigzag;
-  }
-}
-
 bool reacts(ShellPattern pattern) { return pattern >= ShellPattern::stripes; }
 
 int lines_of(const ShellLook& look, double lines_a_cell) {
@@ -65,7 +93,7 @@ Raster shell_picture(const ShellLook& look, double lines_a_cell, double whorls) 
   int wide = look.cells, high = lines_of(look, lines_a_cell);
   Seed seed{static_cast<std::uint64_t>(look.seed)};
   Grid made;
-  if (reacts(look.pattern)) made = pigment(regime_of(look.pattern), wide, high, seed.child("pigment"));
+  if (reacts(look.pattern)) made = pigment(look.pattern, wide, high, seed.child("pigment"));
   Vec3 ground = linear(look.color), second = linear(look.second), inside = linear(look.inside),
        lip = linear(look.lip);
   int outside = static_cast<int>(std::lround(wide / static_cast<double>(kShellOutside)));
@@ -137,30 +165,18 @@ Raster mantle_picture(const MantleLook& look) {
   return picture;
 }
 
-template <class Draw>
-Drawing drawing_of(std::string_view what, const Keys& keys, double pixels, double seconds, Draw draw) {
-  std::string name = fmt::format("{}_{}.png", what, made_id(keys.all()));
-  return {{name},
-          [name, draw]() -> Result<std::vector<Picture>> {
-            Result<std::string> bytes = png_text(draw());
-            if (!bytes) return bytes.errors();
-            return std::vector<Picture>{{name, std::move(*bytes)}};
-          },
-          pixels,
-          seconds};
-}
-
 }  // namespace
 
 Drawing shell_drawing(const ShellLook& look, double lines_a_cell, double whorls) {
   double pixels = 1.0 * look.cells / kShellOutside * lines_of(look, lines_a_cell);
-  return drawing_of("shell", keys_of(look, lines_a_cell, whorls), pixels, kSecondsAPixel * pixels,
+  std::string name = fmt::format("shell_{}.png", made_id(keys_of(look, lines_a_cell, whorls).all()));
+  return drawing_of(std::move(name), pixels, kSecondsAPixel,
                     [=] { return shell_picture(look, lines_a_cell, whorls); });
 }
 
 Drawing mantle_drawing(const MantleLook& look) {
-  return drawing_of("mantle", keys_of(look), kMantleWide * kMantleHigh,
-                    kSecondsAPixel * kMantleWide * kMantleHigh, [=] { return mantle_picture(look); });
+  return drawing_of(fmt::format("mantle_{}.png", made_id(keys_of(look).all())), kMantleWide * kMantleHigh,
+                    kSecondsAPixel, [=] { return mantle_picture(look); });
 }
 
 }  // namespace frond

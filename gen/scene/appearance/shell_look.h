@@ -1,6 +1,7 @@
 #pragma once
 
 #include "appearance/leaf_look.h"
+#include "preset/describe.h"
 
 namespace frond {
 
@@ -24,6 +25,8 @@ struct ShellLook {
   int seed = 1;               ///< of the pattern
 };
 
+void describe(Properties& v, ShellLook& l);
+
 /// The mantle of a giant clam.
 struct MantleLook {
   Color color{0.05f, 0.22f, 0.42f};
@@ -32,6 +35,8 @@ struct MantleLook {
   double spots = 0.5;                 ///< how many there are, 0..1
   double glow = 0.15;
 };
+
+void describe(Properties& v, MantleLook& m);
 
 /// Share of the picture's width that shows the outside; the rest shows the inside.
 inline constexpr float kShellOutside = 0.92f;

@@ -1,7 +1,6 @@
 #include "appearance/shell_pigment.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace frond {
@@ -22,9 +21,9 @@ struct Kinetics {
 constexpr float kRate = 0.1f;  // r
 constexpr int kBefore = 160;   // lines that are laid before the first that is kept
 
-Kinetics kinetics(PigmentRegime regime) {
-  switch (regime) {
-    case PigmentRegime::stripes:
+Kinetics kinetics(ShellPattern pattern) {
+  switch (pattern) {
+    case ShellPattern::stripes:
       return {.spread = 0.03f,
               .substrate_spread = 0.4f,
               .supply = 0.05f,
@@ -32,22 +31,23 @@ Kinetics kinetics(PigmentRegime regime) {
               .basic = 0.01f,
               .saturation = 0.1f,
               .uneven = 0.6f};
-    case PigmentRegime::lines:
+    case ShellPattern::axial:
       return {.spread = 0.1f, .supply = 0.06f, .loss = 0, .basic = 0.0025f, .uneven = 0.1f, .steps = 8};
-    case PigmentRegime::zigzag:
+    case ShellPattern::zigzag:
       return {.supply = 0.10f, .loss = 0.0164f, .fires = 0.006};
-    case PigmentRegime::tents:
+    case ShellPattern::tents:
       return {.spread = 0.03f, .supply = 0.07f, .loss = 0.0115f, .fires = 0.006, .fades = 0.94f, .steps = 5};
-    case PigmentRegime::spots:
+    case ShellPattern::spots:
       return {.spread = 0.05f, .substrate_spread = 0.3f, .uneven = 0.3f, .fires = 0.05, .steps = 4};
+    default:
+      return {};
   }
-  return {};
 }
 
 }  // namespace
 
-Grid pigment(PigmentRegime regime, int width, int lines, Seed seed) {
-  Kinetics law = kinetics(regime);
+Grid pigment(ShellPattern pattern, int width, int lines, Seed seed) {
+  Kinetics law = kinetics(pattern);
   auto n = static_cast<std::size_t>(width);
   // The edge is a ring, as the mantle's is not; but so no seam is seen.
   std::vector<float> rate(n), a(n, 0), s(n, law.loss > 0 ? law.supply / law.loss : 1), next_a(n), next_s(n),

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "appearance/shell_look.h"
 #include "core/seed.h"
-#include "images/raster.h"
 
 namespace frond {
 
@@ -18,16 +18,8 @@ namespace frond {
 // Where the substrate diffuses far, the activator settles into stripes along growth; where it does not, the
 // activator fires, spreads as a wave and dies out, which draws oblique lines that meet and end each other.
 
-enum class PigmentRegime {
-  stripes,  ///< at rest: lines along growth
-  lines,    ///< all fire together: lines along the edge
-  zigzag,   ///< waves that meet: oblique lines, as on olives
-  tents,    ///< the same with pigment that fades slowly: triangles, as on cones
-  spots     ///< the activator spreads little when it fires
-};
-
-/// The pigment along an edge of `width` cells, 0..1, one grid row per growth line; the last row is the
-/// oldest. A pure function.
-Grid pigment(PigmentRegime regime, int width, int lines, Seed seed);
+/// The pigment of a pattern that comes by reaction, along an edge of `width` cells, 0..1, one grid row per
+/// growth line; the last row is the oldest. A pure function.
+Grid pigment(ShellPattern pattern, int width, int lines, Seed seed);
 
 }  // namespace frond

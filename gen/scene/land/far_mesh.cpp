@@ -91,6 +91,16 @@ double far_hollow(const FarGrid& grid, const std::vector<double>& height, std::s
   return (around / 4 - height[column * rows + line]) / reach;
 }
 
+/// Metres that a canopy rises above the ground at a place `inside` metres from its border, along which single
+/// trees stand before it.
+double canopy_height(Vec2 at, double inside, double spacing, Seed seed) {
+  auto level = static_cast<float>(seed.child("canopy").range(0, 99));
+  // Crowns where they show, stands of one age where they do not.
+  double crowns = noise(Vec3(at.x / 8, level, at.y / 8)) * (1 - smooth_step(8.0, 40.0, spacing));
+  double stands = noise(Vec3(at.x / 90, level + 7, at.y / 90));
+  return kCanopy * (1 + 0.18 * crowns + 0.16 * stands) * smooth_step(9.0, 24.0, inside);
+}
+
 FarVertex far_vertex(const FarLand& land, const MountainPlace& place, double spacing, Seed seed) {
   FarVertex v;
   auto [at, height, slope, hollow] = place;
@@ -180,14 +190,6 @@ bool FarView::holds(Vec2 at) const {
   double turn = std::atan2(static_cast<double>(at.y), static_cast<double>(at.x));
   while (turn < from) turn += 2 * kPi;
   return turn <= to;
-}
-
-double canopy_height(Vec2 at, double inside, double spacing, Seed seed) {
-  auto level = static_cast<float>(seed.child("canopy").range(0, 99));
-  // Crowns where they show, stands of one age where they do not.
-  double crowns = noise(Vec3(at.x / 8, level, at.y / 8)) * (1 - smooth_step(8.0, 40.0, spacing));
-  double stands = noise(Vec3(at.x / 90, level + 7, at.y / 90));
-  return kCanopy * (1 + 0.18 * crowns + 0.16 * stands) * smooth_step(9.0, 24.0, inside);
 }
 
 std::vector<FarPart> far_mesh(const FarLand& land, const FarView& view, Seed seed) {

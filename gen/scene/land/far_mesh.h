@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "core/seed.h"
@@ -31,9 +30,5 @@ struct FarPart {
 /// distance apart, rays some pixels in the directions in view and far more elsewhere. What rises in front
 /// of a camera hides land, which is left out. Woods are raised to a rough canopy.
 std::vector<FarPart> far_mesh(const FarLand& land, const FarView& view, Seed seed);
-
-/// Metres that a canopy rises above the ground at a place `inside` metres from its border, along which single
-/// trees stand before it.
-double canopy_height(Vec2 at, double inside, double spacing, Seed seed);
 
 }  // namespace frond

@@ -41,16 +41,21 @@ void each_cell(std::vector<FarObject>& all, const FarLand& land, const FarView& 
   for (const auto& row : rows) all.insert(all.end(), row.begin(), row.end());
 }
 
+std::uint64_t shapes_of(FarKind kind) { return kind == FarKind::house ? kHouseShapes : 3; }
+
+FarObject far_object(FarKind kind, const FarLand& land, Vec2 at, Seed own) {
+  return {.kind = kind,
+          .shape = static_cast<int>(own.child("shape").bits() % shapes_of(kind)),
+          .foot = Vec3(at.x, static_cast<float>(land.height(at)), at.y),
+          .turn = static_cast<float>(own.child("turn").range(0, 2 * kPi)),
+          .tint = static_cast<int>(own.child("tint").bits() % kFarTints)};
+}
+
 FarObject far_tree(const FarLand& land, Vec2 at, bool conifer, double tallest, Seed own) {
-  FarObject tree;
-  tree.kind = conifer ? FarKind::conifer : FarKind::broadleaf;
-  tree.shape = static_cast<int>(own.child("shape").bits() % 3);
+  FarObject tree = far_object(conifer ? FarKind::conifer : FarKind::broadleaf, land, at, own);
   double height = tallest * own.child("height").range(0.65, 1.1);
-  tree.foot = Vec3(at.x, static_cast<float>(land.height(at)), at.y);
-  tree.turn = static_cast<float>(own.child("turn").range(0, 2 * kPi));
   double wide = height * own.child("wide").range(0.85, 1.2);
   tree.size = Vec3(wide, height, wide);
-  tree.tint = static_cast<int>(own.child("tint").bits() % kFarTints);
   return tree;
 }
 
@@ -79,12 +84,9 @@ void add_trees(std::vector<FarObject>& all, const FarLand& land, const FarView& 
 
 /// A shrub at the edge of a wood.
 FarObject far_shrub(const FarLand& land, Vec2 at, Seed own) {
-  FarObject shrub{FarKind::hedge, static_cast<int>(own.child("shape").bits() % 3)};
-  shrub.foot = Vec3(at.x, static_cast<float>(land.height(at)), at.y);
-  shrub.turn = static_cast<float>(own.child("turn").range(0, 2 * kPi));
+  FarObject shrub = far_object(FarKind::hedge, land, at, own);
   double height = own.child("height").range(2.0, 5.5);
   shrub.size = Vec3(own.child("wide").range(3, 6.5), height, height);
-  shrub.tint = static_cast<int>(own.child("tint").bits() % kFarTints);
   return shrub;
 }
 
@@ -106,12 +108,10 @@ void add_hedges(std::vector<FarObject>& all, const FarLand& land, const FarView&
     if (land.edge().outside(at) < 12) return;
     Vec2 toward = glm::normalize(parcel.next - parcel.site);
     at += toward * static_cast<float>(parcel.edge);
-    FarObject hedge{FarKind::hedge, static_cast<int>(own.child("shape").bits() % 3)};
-    hedge.foot = Vec3(at.x, static_cast<float>(land.height(at)), at.y);
+    FarObject hedge = far_object(FarKind::hedge, land, at, own);
     hedge.turn = static_cast<float>(std::atan2(toward.x, toward.y));
     double height = kHedgeHeight * own.child("height").range(0.7, 1.3);
     hedge.size = Vec3(2.0 * kHedgeCell, height, height);
-    hedge.tint = static_cast<int>(own.child("tint").bits() % kFarTints);
     list.push_back(hedge);
   });
 }
@@ -128,12 +128,10 @@ void add_villages(std::vector<FarObject>& all, const FarLand& land, const FarVie
       double away = (i % 2 ? 1 : -1) * own.child("away").range(11, 19);
       Vec2 at = village.at + village.along * static_cast<float>(along) + aside * static_cast<float>(away);
       if (land.edge().outside(at) < 30 || !view.holds(at)) continue;
-      FarObject house{FarKind::house, static_cast<int>(own.child("shape").bits() % kHouseShapes)};
-      house.foot = Vec3(at.x, static_cast<float>(land.height(at)), at.y);
+      FarObject house = far_object(FarKind::house, land, at, own);
       bool gable = own.child("gable").unit() < 0.4;
       house.turn = static_cast<float>(std::atan2(-village.along.y, village.along.x) + (gable ? kPi / 2 : 0) +
                                       own.child("turn").range(-0.08, 0.08));
-      house.tint = static_cast<int>(own.child("tint").bits() % kFarTints);
       all.push_back(house);
       for (std::uint64_t k = 0; k < 3; ++k) {
         Seed tree = own.child("tree", k);
@@ -152,22 +150,11 @@ std::vector<Surface> far_shapes(FarKind kind) {
       {{8.5, 7, 3.2}, {11, 8, 3.4}, {12, 8.5, 5.4}, {14, 8, 4}}};  // metres: long, wide, to the eaves
   std::vector<Surface> shapes;
   Seed seed = Seed{1}.child("far shapes", static_cast<std::uint64_t>(kind));
-  for (std::uint64_t i = 0; i < (kind == FarKind::house ? kHouseShapes : 3); ++i) {
+  constexpr std::array kPlants{far_broadleaf, far_conifer, far_hedge};
+  for (std::uint64_t i = 0; i < shapes_of(kind); ++i) {
     Seed own = seed.child(i);
-    switch (kind) {
-      case FarKind::broadleaf:
-        shapes.push_back(far_broadleaf(own));
-        break;
-      case FarKind::conifer:
-        shapes.push_back(far_conifer(own));
-        break;
-      case FarKind::hedge:
-        shapes.push_back(far_hedge(own));
-        break;
-      case FarKind::house:
-        shapes.push_back(far_house(kHouses[i][0], kHouses[i][1], kHouses[i][2], own));
-        break;
-    }
+    shapes.push_back(kind == FarKind::house ? far_house(kHouses[i][0], kHouses[i][1], kHouses[i][2], own)
+                                            : kPlants[static_cast<std::size_t>(kind)](own));
   }
   return shapes;
 }

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "core/noise.h"
-#include "core/vec.h"
+#include "core/seed.h"
 
 namespace frond {
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/seed.h"
 #include "core/vec.h"
 #include "model/surface.h"
 

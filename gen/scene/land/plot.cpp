@@ -5,7 +5,6 @@
 
 #include "core/noise.h"
 #include "core/polygon.h"
-#include "core/spline.h"
 #include "foliage/organ_shapes.h"
 #include "rocks/stone.h"
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "land/plant_grid.h"
 #include "land/suitability.h"
@@ -48,7 +47,8 @@ struct Field {
 
 /// The factor of the size of plants at a place.
 double grown_at(const Land& land, const SowRules& rules, Vec2 at) {
-  return rules.warmth && land.altitude ? size_at_altitude(*rules.warmth, land.altitude(at)) : 1;
+  if (!rules.warmth || !land.altitude) return 1;
+  return std::lerp(rules.warmth->dwarf, 1.0, warm_share(*rules.warmth, land.altitude(at)));
 }
 
 /// Where a plant of a size in the warmth finds room, if it does.
@@ -199,10 +199,6 @@ double warm_share(const Warmth& warmth, double altitude) {
   constexpr double kLapse = 0.006;  // kelvin a metre
   double now = warmth.lowest - kLapse * altitude;
   return std::clamp((now - warmth.least) / std::max(warmth.full - warmth.least, 1e-6), 0.0, 1.0);
-}
-
-double size_at_altitude(const Warmth& warmth, double altitude) {
-  return std::lerp(warmth.dwarf, 1.0, warm_share(warmth, altitude));
 }
 
 double sprout_size(double size_variation, Seed own) {

@@ -4,7 +4,6 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "core/mask.h"
@@ -30,8 +29,6 @@ struct Warmth {
 /// Share of all plants that could stand at an altitude, metres above the lowest of the land: 1 where it is
 /// warm .. 0 where it is too cold.
 double warm_share(const Warmth& warmth, double altitude);
-/// The factor of the size of plants at an altitude, metres above the lowest of the land.
-double size_at_altitude(const Warmth& warmth, double altitude);
 
 /// Where plants of one kind grow. Limits of altitude, slope, shade and clumps are soft: plants become fewer
 /// toward them, with none beyond.

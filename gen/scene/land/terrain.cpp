@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <type_traits>
 #include <utility>
 
 #include "core/noise.h"
@@ -139,20 +138,6 @@ struct PathBed {
 
 }  // namespace
 
-/// Where a place lies in the grid: in which cell, and how far along it.
-struct Terrain::Cell {
-  std::size_t column, row;
-  double s, t;
-
-  /// A value given at the corners, over the triangle that the place lies in.
-  template <class Value>
-  auto between(const Value& a, const Value& b, const Value& c, const Value& d) const {
-    using Number = std::conditional_t<std::is_same_v<Value, Vec3>, float, double>;
-    auto u = static_cast<Number>(s), v = static_cast<Number>(t);
-    return u + v <= 1 ? a + (b - a) * u + (c - a) * v : d + (c - d) * (1 - u) + (b - d) * (1 - v);
-  }
-};
-
 Terrain::Terrain(const TerrainShape& shape, Seed seed)
     : plot_(PondShape{}, shape.path, seed.child("path")), line_(grid_lines(shape.size)) {
   std::size_t lines = line_.size();
@@ -179,13 +164,9 @@ Terrain::Terrain(const TerrainShape& shape, Seed seed)
   auto middle = static_cast<float>(height(0, 0));
   for (float& h : height_) h -= middle;
   stream_.raise(-middle);
-  normal_.resize(height_.size());
-  for (std::size_t row = 0; row < lines; ++row)
-    for (std::size_t column = 0; column < lines; ++column)
-      normal_[vertex(column, row)] = vertex_normal(column, row);
 }
 
-Vec3 Terrain::vertex_normal(std::size_t column, std::size_t row) const {
+Vec3 Terrain::normal(std::size_t column, std::size_t row) const {
   auto ends = [&](std::size_t i) { return std::pair(i > 0 ? i - 1 : 0, std::min(i + 1, line_.size() - 1)); };
   auto [left, right] = ends(column);
   auto [back, front] = ends(row);
@@ -194,7 +175,8 @@ Vec3 Terrain::vertex_normal(std::size_t column, std::size_t row) const {
   return glm::normalize(Vec3(-x, 1, -z));
 }
 
-Terrain::Cell Terrain::cell_at(double x, double z) const {
+double Terrain::height(double x, double z) const {
+  // In which cell a place lies, and how far along it.
   auto find = [&](double value) {
     double held = std::clamp<double>(value, line_.front(), line_.back());
     auto after = std::upper_bound(line_.begin() + 1, line_.end() - 1, static_cast<float>(held));
@@ -203,33 +185,20 @@ Terrain::Cell Terrain::cell_at(double x, double z) const {
   };
   auto [column, s] = find(x);
   auto [row, t] = find(z);
-  return {column, row, s, t};
-}
-
-double Terrain::height(double x, double z) const {
-  Cell cell = cell_at(x, z);
-  std::size_t a = vertex(cell.column, cell.row), c = a + line_.size();
-  return cell.between<double>(height_[a], height_[a + 1], height_[c], height_[c + 1]);
-}
-
-Vec3 Terrain::normal(double x, double z) const {
-  Cell cell = cell_at(x, z);
-  std::size_t a = vertex(cell.column, cell.row), c = a + line_.size();
-  return glm::normalize(cell.between(normal_[a], normal_[a + 1], normal_[c], normal_[c + 1]));
-}
-
-double Terrain::slope(double x, double z) const {
-  Vec3 n = normal(x, z);
-  return std::atan2(std::hypot(n.x, n.z), n.y);
+  std::size_t here = vertex(column, row), front = here + line_.size();
+  double a = height_[here], b = height_[here + 1], c = height_[front], d = height_[front + 1];
+  // Over the triangle that the place lies in.
+  return s + t <= 1 ? a + (b - a) * s + (c - a) * t : d + (c - d) * (1 - s) + (b - d) * (1 - t);
 }
 
 Surface Terrain::surface() const {
   Surface surface;
   std::size_t lines = line_.size();
-  surface.normal = normal_;
   for (std::size_t row = 0; row < lines; ++row)
-    for (std::size_t column = 0; column < lines; ++column)
+    for (std::size_t column = 0; column < lines; ++column) {
       surface.position.emplace_back(line_[column], height_[vertex(column, row)], line_[row]);
+      surface.normal.push_back(normal(column, row));
+    }
   for (std::size_t row = 0; row + 1 < lines; ++row)
     for (std::size_t column = 0; column + 1 < lines; ++column) {
       auto a = static_cast<std::uint32_t>(vertex(column, row)), b = a + 1,

@@ -30,10 +30,6 @@ class Terrain {
 
   /// The height of the land, metres; beyond the mesh the height of its rim.
   double height(double x, double z) const;
-  /// The normal of the land, of length 1, smooth: interpolated between the grid's vertices.
-  Vec3 normal(double x, double z) const;
-  /// The slope of the land, radians from the horizontal, by the normal.
-  double slope(double x, double z) const;
 
   /// Metres to the edge of the path; negative on it. In the sown square the land is level across the path.
   double path_distance(Vec2 at) const { return plot_.path_distance(at); }
@@ -48,16 +44,14 @@ class Terrain {
   Surface surface() const;
 
  private:
-  struct Cell;
-  Cell cell_at(double x, double z) const;
   std::size_t vertex(std::size_t column, std::size_t row) const { return row * line_.size() + column; }
-  Vec3 vertex_normal(std::size_t column, std::size_t row) const;
+  /// Smooth, of length 1.
+  Vec3 normal(std::size_t column, std::size_t row) const;
 
   Plot plot_;
   StreamCourse stream_;
   std::vector<float> line_;    // positions of the grid's lines, along both x and z
   std::vector<float> height_;  // of the vertices, row by row (z)
-  std::vector<Vec3> normal_;
 };
 
 }  // namespace frond

@@ -1,5 +1,7 @@
 #include "settings/describe_plot.h"
 
+#include <fmt/format.h>
+
 #include "preset/describe_spline.h"
 
 namespace frond {
@@ -44,6 +46,30 @@ void describe(Properties& v, GroundArea& a) {
          "Corners [x, z] in metres of an area of another shape, or objects with handles, in place of center "
          "and size");
   v.boolean("curve", a.curve, "Whether the outline is smooth at corners without handles, too");
+}
+
+namespace {
+
+constexpr double kMostPoints = 200;
+constexpr double kLongestPath = 10'000;  // metres
+
+}  // namespace
+
+void check_path(Errors& list, const PathShape& path, const std::string& pointer, double reach) {
+  if (static_cast<double>(path.points.size()) > kMostPoints)
+    return list.push_back(
+        {pointer, fmt::format("found {} points; expected {:g} at most", path.points.size(), kMostPoints)});
+  double length = 0;
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    if (glm::length(glm::dvec2(path.points[i].at)) > reach)
+      return list.push_back(
+          {fmt::format("{}/{}", pointer, i),
+           fmt::format("lies off the ground; expected a place within {:g} m of the middle", reach)});
+    if (i > 0) length += glm::distance(path.points[i - 1].at, path.points[i].at);
+  }
+  if (length > kLongestPath)
+    list.push_back(
+        {pointer, fmt::format("makes a path of {:.3g} m; expected {:g} m at most", length, kLongestPath)});
 }
 
 }  // namespace frond

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "core/result.h"
 #include "land/plot.h"
 #include "preset/describe.h"
 #include "settings/sky.h"
 
-// The properties of moments, ponds and paths as presets spell them; see preset/describe.h.
+// The properties of moments, ponds and paths as presets spell them; see preset/describe.h. What is refused of
+// paths.
 
 namespace frond {
 
@@ -17,5 +19,9 @@ void describe_place(Properties& v, Moment& m);
 void describe(Properties& v, PondShape& p);
 void describe(Properties& v, PathShape& p);
 void describe(Properties& v, GroundArea& a);
+
+/// Errors for paths that are too long, have too many points or leave the land, which reaches `reach` metres
+/// from the middle. They are at `pointer`, that of the points.
+void check_path(Errors& list, const PathShape& path, const std::string& pointer, double reach);
 
 }  // namespace frond

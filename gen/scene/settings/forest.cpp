@@ -11,7 +11,6 @@
 #include "images/describe_mask.h"
 #include "land/litter.h"
 #include "settings/describe_plot.h"
-#include "settings/plot_bounds.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -100,15 +99,13 @@ ForestLand ForestGround::floor_land() const {
 void ForestGround::lay_litter(const Camera& camera) {
   cover = strew_floor(film_, camera, floor_land(), moss_, seed_);
   constexpr double kLeastHeath = 0.5;  // share of heath that is no wood any more
-  if (mountain)
-    for (auto* patches : {&cover.litter_patches, &cover.moss_patches})
-      std::erase_if(*patches, [&](const Patch& p) {
-        return mountain_cover_on(floor_land(), lines_, {p.at.x, p.at.z}) >
-               kLeastHeath * mountain_cover::kHeath;
-      });
-  if (!stream().flows()) return;
-  for (auto* patches : {&cover.litter_patches, &cover.moss_patches})
-    std::erase_if(*patches, [&](const Patch& p) { return stream().distance({p.at.x, p.at.z}) < kNoLitter; });
+  auto bare = [&](const Patch& p) {
+    Vec2 at(p.at.x, p.at.z);
+    if (mountain && mountain_cover_on(floor_land(), lines_, at) > kLeastHeath * mountain_cover::kHeath)
+      return true;
+    return stream().distance(at) < kNoLitter;
+  };
+  for (auto* patches : {&cover.litter_patches, &cover.moss_patches}) std::erase_if(*patches, bare);
 }
 
 std::size_t ForestGround::bytes() const {

@@ -2,13 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "core/linear.h"
 #include "core/polyline.h"
 #include "settings/describe_plot.h"
-#include "settings/lawn.h"
-#include "settings/plot_bounds.h"
+#include "settings/meadow.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -101,13 +98,8 @@ SettingRow garden_setting() {
         return ground;
       },
       [](const SceneSetup& setup, const Film& film, double reach, Seed seed) -> std::unique_ptr<Grounds> {
-        const auto& garden = setup.block<Garden>();
-        auto lawn = std::make_unique<Lawn>(setup.floor, setup.block<Meadow>().lawn, film.quality, reach,
-                                           Plot(garden.pond, garden.path, seed.child("plot"), garden.areas),
-                                           garden.lilies, garden.gravel, garden.path.width, seed);
-        lawn->gravel_color = garden.gravel_color, lawn->earth_color = garden.earth_color;
-        lawn->clods = garden.clods;
-        return lawn;
+        return std::make_unique<Lawn>(setup.floor, setup.block<Meadow>().lawn, film.quality, reach, seed,
+                                      &setup.block<Garden>());
       },
       [](const SceneSetup& setup) {
         const auto& meadow = setup.block<Meadow>();

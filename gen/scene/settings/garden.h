@@ -1,7 +1,8 @@
 #pragma once
 
+#include "core/curve.h"
 #include "land/plot.h"
-#include "settings/meadow.h"
+#include "settings/sky.h"
 
 namespace frond {
 

@@ -123,8 +123,6 @@ void estimate_grass(const LawnShape& shape, const Film& film, GroundSizeEstimate
 
 namespace {
 
-double radius_for(double reach) { return std::max(kRadius, reach + kBeyond); }
-
 constexpr int kMeadowRings = 110, kPlotRings = 150;  // a plot's ground has edges
 
 /// The mesh of the lawn, `rings` of it where it is as small as can be.
@@ -148,24 +146,16 @@ Surface water_of(const PondShape& pond) {
 
 }  // namespace
 
-Lawn::Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double reach, Seed seed)
-    : shape_(shape), quality_(quality), radius_(radius_for(reach)), seed_(seed) {
-  lay(ground_surface(Ground{seed.child("ground"), floor.relief, floor.scale}, Vec2(0),
-                     disc_for(radius_, kMeadowRings)));
-}
-
-Lawn::Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double reach, Plot plot, int lilies,
-           double stone, double path_width, Seed seed)
-    : shape_(shape),
-      quality_(quality),
-      radius_(radius_for(reach)),
-      planned_(true),
-      plot_(std::move(plot)),
-      lilies_(lilies),
-      stone_(stone),
-      path_width_(path_width),
-      seed_(seed) {
+Lawn::Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double reach, Seed seed,
+           const Garden* garden)
+    : shape_(shape), quality_(quality), radius_(std::max(kRadius, reach + kBeyond)), seed_(seed) {
   Ground dunes{seed.child("ground"), floor.relief, floor.scale};
+  if (!garden) {
+    lay(ground_surface(dunes, Vec2(0), disc_for(radius_, kMeadowRings)));
+    return;
+  }
+  garden_ = *garden;
+  plot_ = Plot(garden_.pond, garden_.path, seed.child("plot"), garden_.areas);
   auto height = [&](Vec2 at) {
     constexpr double kHilly = 0.6;  // share of the radius; from there on the ground becomes level
     double lawn =
@@ -292,26 +282,26 @@ std::vector<Vec2> corners_of(const Plot& plot, GroundArea::Kind kind) {
 /// Covers the path with gravel.
 void Lawn::lay_gravel(Seed seed) {
   if (!plot_.has_path()) return;
-  gravel = stone_patches(stone_, seed);
+  gravel = stone_patches(garden_.gravel, seed);
   std::vector<Vec2> points = corners_of(plot_, GroundArea::Kind::gravel);
   points.insert(points.end(), plot_.path().begin(), plot_.path().end());
   // A path that leads across the pond, over a bridge, ends at the shores.
   auto edge = [&](Vec2 at) {
     return std::max(plot_.path_distance(at), kDryStones - plot_.pond_distance(at));
   };
-  pave({heights(), seed, edge, gravel_patches}, points, path_width_, kPatchStones * stone_);
+  pave({heights(), seed, edge, gravel_patches}, points, garden_.path.width, kPatchStones * garden_.gravel);
 }
 
 /// Covers the beds with clods, where no path leads across.
 void Lawn::lay_earth(Seed seed) {
   if (!plot_.has_earth()) return;
-  earth = stone_patches(clods, seed);
+  earth = stone_patches(garden_.clods, seed);
   auto edge = [&](Vec2 at) {
     return std::max(
         {plot_.earth_distance(at), -plot_.path_distance(at), kDryStones - plot_.pond_distance(at)});
   };
-  pave({heights(), seed, edge, earth_patches}, corners_of(plot_, GroundArea::Kind::earth), clods,
-       kPatchStones * clods);
+  pave({heights(), seed, edge, earth_patches}, corners_of(plot_, GroundArea::Kind::earth), garden_.clods,
+       kPatchStones * garden_.clods);
 }
 
 Mask Lawn::map() const {
@@ -323,8 +313,7 @@ Mask Lawn::map() const {
 
 float Lawn::seat(Vec2 at, double, Seed) {
   // Over a pond things stand on the water.
-  bool water = planned_ && plot_.pond_distance(at) < 0;
-  return water ? std::max(static_cast<float>(plot_.pond().level), height(at)) : height(at);
+  return under_water(at) ? std::max(static_cast<float>(plot_.pond().level), height(at)) : height(at);
 }
 
 Land Lawn::land(std::vector<Spot> taken) const {
@@ -344,10 +333,10 @@ std::vector<Patches> Lawn::patches() const {
     list.push_back({{}, &turf_patches});
     for (const Turf& one : turf) list.back().shapes.push_back(&(one.*part));
   }
-  list.push_back({{}, &gravel_patches, gravel_color});
+  list.push_back({{}, &gravel_patches, garden_.gravel_color});
   for (const Surface& one : gravel) list.back().shapes.push_back(&one);
   if (earth.empty()) return list;
-  list.push_back({{}, &earth_patches, earth_color});
+  list.push_back({{}, &earth_patches, garden_.earth_color});
   for (const Surface& one : earth) list.back().shapes.push_back(&one);
   return list;
 }
@@ -367,7 +356,7 @@ std::size_t Lawn::bytes() const {
 }
 
 std::vector<Specimen> Lawn::furnishings() const {
-  Solids lilies = water_lilies(plot_, lilies_, seed_.child("lilies"));
+  Solids lilies = water_lilies(plot_, garden_.lilies, seed_.child("lilies"));
   if (lilies.size() == 0) return {};
   Specimen pads;
   pads.name = "water lilies";

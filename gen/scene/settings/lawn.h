@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "core/mask.h"
-#include "land/plot.h"
 #include "land/turf.h"
+#include "settings/garden.h"
 #include "settings/setting.h"
 
 namespace frond {
@@ -39,18 +39,17 @@ Errors check_grass(const LawnShape& shape);
 /// Adds the grass to the estimate.
 void estimate_grass(const LawnShape& shape, const Film& film, GroundSizeEstimate& ground);
 
-/// A lawn, level or in low hills, with the pond and the path of a plot if it has them.
+/// A lawn, level or in low hills, with the pond, the path and the beds of a garden if it has them.
 class Lawn final : public Grounds {
  public:
-  /// With a plot the distant ground is level; its path gets stones of `gravel` metres.
-  Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double reach, Seed seed);
-  Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double reach, Plot plot, int lilies,
-       double gravel, double path_width, Seed seed);
+  /// With a garden the distant ground is level.
+  Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double reach, Seed seed,
+       const Garden* garden = nullptr);
 
   void strew(TakenSpots& taken) override;
   float seat(Vec2 at, double rock, Seed seed) override;
   Land land(std::vector<Spot> taken) const override;
-  bool under_water(Vec2 at) const override { return planned_ && plot_.pond_distance(at) < 0; }
+  bool under_water(Vec2 at) const override { return plot_.pond_distance(at) < 0; }
   std::vector<ScatteredInstances> strewn() const override;
   std::vector<Patches> patches() const override;
   std::vector<Specimen> furnishings() const override;
@@ -67,8 +66,6 @@ class Lawn final : public Grounds {
   std::vector<Patch> turf_patches;
   std::vector<Surface> gravel, earth;
   std::vector<Patch> gravel_patches, earth_patches;
-  double clods = 0.05;  ///< metres, of the earth in beds
-  Color gravel_color{0.62f, 0.57f, 0.49f}, earth_color{0.33f, 0.25f, 0.18f};
 
  private:
   void sow(Seed seed);
@@ -77,12 +74,10 @@ class Lawn final : public Grounds {
 
   LawnShape shape_;
   Quality quality_;
-  double radius_ = 0;     // metres from the middle to the edge
-  bool planned_ = false;  // has a plot
+  double radius_ = 0;  // metres from the middle to the edge
+  Garden garden_;
   Plot plot_;
   Surface water_;  // of the pond, for a quick look
-  int lilies_ = 0;
-  double stone_ = 0, path_width_ = 0;
   Seed seed_;
 };
 

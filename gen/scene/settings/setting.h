@@ -1,13 +1,10 @@
 #pragma once
 
 #include <any>
-#include <cassert>
 #include <functional>
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
-#include <typeinfo>
 #include <vector>
 
 #include "core/result.h"
@@ -158,7 +155,7 @@ class Grounds {
   /// Whether water lies there that has nothing to do with rain.
   virtual bool under_water(Vec2) const { return false; }
   /// Growing or floating parts that belong to the setting itself.
-  virtual std::vector<Specimen> furnishings() const = 0;
+  virtual std::vector<Specimen> furnishings() const { return {}; }
   /// Loose objects large enough to show in a quick look.
   virtual std::vector<ScatteredInstances> strewn() const { return {}; }
   /// What drifts over it at a time, seconds; in a film that loops after `loop` seconds, 0 it does not, the

@@ -34,9 +34,17 @@ double Snow::deepest() const { return highest(depth); }
 
 namespace {
 
+const SettingAnswers& answers_of(const SceneSetup& setup) { return settings()[setup.setting].answers; }
+
 bool reads(const SceneSetup& setup, std::string_view pointer) {
-  const auto& all = settings()[setup.setting].answers.reads;
+  const auto& all = answers_of(setup).reads;
   return std::ranges::find(all, pointer) != all.end();
+}
+
+/// The hour of the day; null where the setting says nothing.
+Animated<double>* hour_of(SceneSetup& setup) {
+  auto hour = answers_of(setup).hour;
+  return hour ? hour(setup) : nullptr;
 }
 
 }  // namespace
@@ -163,8 +171,7 @@ void cloud_over(SceneSetup& now) {
 
 SceneSetup setup_at(const SceneSetup& setup, double time) {
   SceneSetup now = setup;
-  if (auto hour_of = settings()[setup.setting].answers.hour)
-    if (Animated<double>* hour = hour_of(now)) *hour = hour->at(time);
+  if (Animated<double>* hour = hour_of(now)) *hour = hour->at(time);
   now.snow.depth = setup.snow.depth.at(time);
   now.snow.frost = setup.snow.frost.at(time);
   now.snow.falling = setup.snow.falling.at(time);
@@ -179,8 +186,7 @@ SceneSetup setup_at(const SceneSetup& setup, double time) {
 
 bool sun_moves(const SceneSetup& setup) {
   SceneSetup copy = setup;
-  auto hour_of = settings()[setup.setting].answers.hour;
-  Animated<double>* hour = hour_of ? hour_of(copy) : nullptr;
+  Animated<double>* hour = hour_of(copy);
   return (hour && !hour->constant()) || (is_rainy(setup) && !setup.rain->rate.constant()) ||
          (is_snowy(setup) && !setup.snow.falling.constant());
 }
@@ -199,7 +205,7 @@ double wet_share(const SceneSetup& setup) { return is_rainy(setup) ? wetness(set
 Daylight drawn_daylight(const SceneSetup& setup) {
   constexpr float kAlbedo = 0.82f;  // of fresh snow with what stands in it
   constexpr float kWet = 0.65f;     // of what land throws back, when it is wet
-  Daylight light = settings()[setup.setting].answers.daylight(setup);
+  Daylight light = answers_of(setup).daylight(setup);
   if (auto wet = static_cast<float>(wet_share(setup)); wet > 0)
     light.thrown_back *= 1 - wet * (1 - kWet), light.below *= 1 - wet * (1 - kWet);
   if (auto cover = static_cast<float>(snow_cover(setup)); cover > 0) {
@@ -213,9 +219,8 @@ Daylight drawn_daylight(const SceneSetup& setup) {
 
 Vec2 shaded_side(SceneSetup setup) {
   constexpr double kNoon = 13;  // of summer time
-  if (auto hour_of = settings()[setup.setting].answers.hour)
-    if (Animated<double>* hour = hour_of(setup)) *hour = kNoon;
-  Vec3 sun = settings()[setup.setting].answers.daylight(setup).sun;
+  if (Animated<double>* hour = hour_of(setup)) *hour = kNoon;
+  Vec3 sun = answers_of(setup).daylight(setup).sun;
   return {-sun.x, -sun.z};
 }
 

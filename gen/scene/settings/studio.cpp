@@ -62,7 +62,6 @@ class StudioFloor final : public Grounds {
     land.taken = std::move(taken);
     return land;
   }
-  std::vector<Specimen> furnishings() const override { return {}; }
   std::vector<std::string> remarks(const std::function<std::vector<Occupied>()>& things, const Camera& camera,
                                    double film_end) const override;
 

@@ -40,7 +40,6 @@ class SeaFloor final : public Grounds {
   float seat(Vec2 at, double rock, Seed seed) override;
   Land land(std::vector<Spot> taken) const override;
   std::vector<ScatteredInstances> strewn() const override;
-  std::vector<Specimen> furnishings() const override { return {}; }
   std::size_t bytes() const override;
 
   std::vector<Surface> stones;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <tuple>
 
@@ -46,8 +45,7 @@ std::string model_file_name(const Organism& organism, int model, int level, int 
 
 const ModelFile& CopyPlan::file(std::size_t copy_set, int model, const Drawn& one) const {
   auto wanted = std::tuple(copy_set, model, static_cast<int>(one.level), static_cast<int>(one.block));
-  return *std::lower_bound(files.begin(), files.end(), wanted,
-                           [](const ModelFile& f, const auto& key) { return order(f) < key; });
+  return *std::ranges::lower_bound(files, wanted, {}, order);
 }
 
 ModelBlocks blocks_of(const std::vector<Surfel>& surfels) {

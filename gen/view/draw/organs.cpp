@@ -1,11 +1,9 @@
 #include "draw/organs.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/parallel.h"
 #include "core/seed.h"
-#include "motion/unfold.h"
 
 namespace frond {
 

@@ -75,10 +75,8 @@ Surfel rounded(const Surfel& c) {
 }  // namespace
 
 std::vector<Surfel> surfels_of(const Look& look, const Model& model) {
-  float tall = 0;
-  for (const Vec3& at : model.skeleton.position) tall = std::max(tall, glm::length(at));
-  for (const Vec3& at : model.organs.position) tall = std::max(tall, glm::length(at));
-  for (const Vec3& at : model.blades.surface.position) tall = std::max(tall, glm::length(at));
+  float tall = std::max({reach_of(model.skeleton.position), reach_of(model.organs.position),
+                         reach_of(model.blades.surface.position)});
   if (tall == 0) tall = 1;
   float cell = std::max(tall / 24, 0.02f);
   std::map<std::array<int, 4>, Sum> sums;

@@ -16,11 +16,6 @@ constexpr float kWeakest = 0.5f;  // strength of a line that is drawn at all
 
 constexpr float kFine = 1.5f;  // lines for the room of one: leaves too small for hatching of their own
 
-float smooth_step(float from, float to, float value) {
-  float t = std::clamp((value - from) / (to - from), 0.0f, 1.0f);
-  return t * t * (3 - 2 * t);
-}
-
 /// Finds the lines of a drawing and draws them.
 class InkMaker {
  public:

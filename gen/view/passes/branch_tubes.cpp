@@ -1,7 +1,6 @@
 #include "passes/branch_tubes.h"
 
 #include <algorithm>
-#include <glm/gtc/quaternion.hpp>
 
 namespace frond {
 

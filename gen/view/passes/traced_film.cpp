@@ -140,18 +140,16 @@ void TracedFilm::Parts::add_ground(std::vector<Placed>& things) const {
   if (!ground.floor().triangle.empty())
     things.push_back(placed({ThingKind::floor}, mesh_of(ground.floor(), thrown), kHere));
   std::uint32_t number = 0;
-  for (const ScatteredInstances& strewn : ground.strewn()) {
-    auto mesh = mesh_of(*strewn.shape, strewn.water ? none : thrown);
-    ThingKind kind = strewn.water ? ThingKind::water : ThingKind::stone;
-    for (const ScatteredInstances::At& at : strewn.at)
-      things.push_back(placed({kind, 0, number++}, mesh, {at.place, at.turn, at.size}));
-  }
-  for (const ScatteredInstances& strewn :
-       scene.far ? strewn_far(*scene.far) : std::vector<ScatteredInstances>{}) {
-    auto mesh = mesh_of(*strewn.shape, none);
-    for (const ScatteredInstances::At& at : strewn.at)
-      things.push_back(placed({ThingKind::stone, 0, number++}, mesh, {at.place, at.turn, at.size}));
-  }
+  auto add = [&](const std::vector<ScatteredInstances>& list, bool far) {
+    for (const ScatteredInstances& strewn : list) {
+      auto mesh = mesh_of(*strewn.shape, far || strewn.water ? none : thrown);
+      ThingKind kind = strewn.water ? ThingKind::water : ThingKind::stone;
+      for (const ScatteredInstances::At& at : strewn.at)
+        things.push_back(placed({kind, 0, number++}, mesh, {at.place, at.turn, at.size}));
+    }
+  };
+  add(ground.strewn(), false);
+  if (scene.far) add(strewn_far(*scene.far), true);
   std::uint32_t list = 0;
   for (const Patches& patches : ground.patches()) {
     std::vector<Meshes> meshes;

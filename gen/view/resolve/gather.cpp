@@ -43,7 +43,7 @@ void Gatherer::add_ray(Vec2 place, int ray, float spread) {
   if (now_.lens > 0)
     if (std::optional<Vec2> seen = picture_place(now_.eye, hit ? hit->at : now_.eye.at + along))
       place = glm::clamp(*seen * size, Vec2(0), size - 0.01f);
-  SurfaceName surface = hit ? surface_of(hit->spot.thing) : SurfaceName{};
+  Thing surface = hit ? surface_of(hit->spot.thing) : Thing{};
   bool lit = hit && now_.lit(*hit);
   auto same = [&](const Shown& one) {
     return one.surface == surface && one.lit == lit && glm::ivec2(one.place) == glm::ivec2(place) &&

@@ -7,15 +7,9 @@
 
 namespace frond {
 
-/// What counts as one surface: all organs of an organism do, all copies of a set, all patches of grass;
-/// each stone and block is one of its own.
-struct SurfaceName {
-  ThingKind kind = ThingKind::nothing;
-  std::uint32_t owner = 0, number = 0;
-
-  bool operator==(const SurfaceName&) const = default;
-};
-inline SurfaceName surface_of(const Thing& thing) {
+/// What counts as one surface, by the first of it: all organs of an organism do, all copies of a set, all
+/// patches of grass; each stone and block is one of its own.
+inline Thing surface_of(const Thing& thing) {
   bool own = thing.kind == ThingKind::body || thing.kind == ThingKind::stone;
   return {thing.kind, thing.owner, own ? thing.number : 0};
 }
@@ -26,7 +20,7 @@ struct RawSample {
   float away = 0;
   Vec3 at{0}, normal{0};
   Vec3 light{0};
-  SurfaceName surface;
+  Thing surface;
   int age = 0;  ///< frames: that of its raw frame from this one
   bool lit = false;
 };
@@ -75,7 +69,7 @@ class Gatherer {
  private:
   /// A surface that a pixel shows.
   struct Shown {
-    SurfaceName surface;
+    Thing surface;
     bool lit = false;
     float away = 0;
     Vec3 at{0}, normal{0};

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <memory>
 
-#include "appearance/describe_fish.h"
 #include "organisms/kinds.h"
 #include "organisms/school/school.h"
 

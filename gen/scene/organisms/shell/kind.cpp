@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "appearance/describe.h"
-#include "appearance/describe_shell.h"
 #include "organisms/colony.h"
 #include "organisms/kinds.h"
 #include "organisms/shell/shell.h"
