@@ -19,6 +19,18 @@ std::string name_of(const BarkCoat& coat, std::string_view what) {
   return fmt::format("bark_{}_{}.png", made_id(key), what);
 }
 
+Result<std::vector<Picture>> draw_bark(const BarkCoat& coat) {
+  int height = std::max(1, static_cast<int>(std::lround(coat.pixels * coat.aspect)));
+  Seed seed = bark_seed();
+  BarkMaps maps = bark_maps(coat.image, coat.pixels, height, seed);
+  Result<std::string> color = png_text(bark_colors(coat.image, maps, seed));
+  Result<std::string> relief = png_text(grey_picture(maps.height));
+  if (!color) return color.errors();
+  if (!relief) return relief.errors();
+  return std::vector<Picture>{{bark_color_name(coat), std::move(*color)},
+                              {bark_height_name(coat), std::move(*relief)}};
+}
+
 }  // namespace
 
 Errors load_bark_photo(const NamedFile& file, BarkCoat& coat) {
@@ -35,22 +47,6 @@ Errors load_bark_photo(const NamedFile& file, BarkCoat& coat) {
 
 std::string bark_color_name(const BarkCoat& coat) { return name_of(coat, "color"); }
 std::string bark_height_name(const BarkCoat& coat) { return name_of(coat, "height"); }
-
-namespace {
-
-Result<std::vector<Picture>> draw_bark(const BarkCoat& coat) {
-  int height = std::max(1, static_cast<int>(std::lround(coat.pixels * coat.aspect)));
-  Seed seed = bark_seed();
-  BarkMaps maps = bark_maps(coat.image, coat.pixels, height, seed);
-  Result<std::string> color = png_text(bark_colors(coat.image, maps, seed));
-  Result<std::string> relief = png_text(grey_picture(maps.height));
-  if (!color) return color.errors();
-  if (!relief) return relief.errors();
-  return std::vector<Picture>{{bark_color_name(coat), std::move(*color)},
-                              {bark_height_name(coat), std::move(*relief)}};
-}
-
-}  // namespace
 
 Drawing bark_drawing(const BarkCoat& coat) {
   constexpr double kSecondsAPixel = 2e-6;  // of both

@@ -47,6 +47,8 @@ constexpr Choice<BarkPattern> kBarkPatterns[] = {
     {"smooth", BarkPattern::smooth, "folds and short scars, as on beeches"},
     {"banded", BarkPattern::banded, "papery with dark bands, as on birches"}};
 
+constexpr std::string_view kSeasonTimes = "winter is 0, spring 0.25, summer 0.5, autumn 0.8";
+
 }  // namespace
 
 void describe(Properties& v, Polyps& p) {
@@ -320,12 +322,6 @@ void describe(Properties& v, BarkCoat& c) {
   v.number("twigs", c.twigs, {.min = 0, .max = 10, .unit = "m"},
            "Branches that begin with a smaller radius than this wear the plain bark instead");
 }
-
-namespace {
-
-constexpr std::string_view kSeasonTimes = "winter is 0, spring 0.25, summer 0.5, autumn 0.8";
-
-}  // namespace
 
 void describe(Properties& v, Blossom& b) {
   v.number("share", b.share, {.min = 0, .max = 1}, "Share of the leaves' places that bear flowers");

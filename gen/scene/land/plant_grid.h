@@ -32,8 +32,6 @@ class PlantGrid {
     first = static_cast<std::int32_t>(plants_.size()) - 1;
   }
 
-  bool empty() const { return plants_.empty(); }
-
   /// Whether a crown, or a stem, of that radius there would touch an existing one.
   bool crown_touches(Vec2 at, double radius) const {
     return any(

@@ -36,6 +36,9 @@ constexpr Choice<GroundArea::Kind> kAreaKinds[] = {
     {"gravel", GroundArea::Kind::gravel, "as on the path"},
     {"earth", GroundArea::Kind::earth, "as in a bed of flowers, raised a little"}};
 
+constexpr double kMostPoints = 200;
+constexpr double kLongestPath = 10'000;  // metres
+
 }  // namespace
 
 void describe(Properties& v, GroundArea& a) {
@@ -47,13 +50,6 @@ void describe(Properties& v, GroundArea& a) {
          "and size");
   v.boolean("curve", a.curve, "Whether the outline is smooth at corners without handles, too");
 }
-
-namespace {
-
-constexpr double kMostPoints = 200;
-constexpr double kLongestPath = 10'000;  // metres
-
-}  // namespace
 
 void check_path(Errors& list, const PathShape& path, const std::string& pointer, double reach) {
   if (static_cast<double>(path.points.size()) > kMostPoints)

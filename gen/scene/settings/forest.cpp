@@ -63,6 +63,31 @@ constexpr std::array<Color, 5> kLeafColors{{{0.72f, 0.55f, 0.16f},
                                             {0.66f, 0.44f, 0.15f},
                                             {0.38f, 0.25f, 0.15f}}};
 
+constexpr double kLongestCameraPath = 10'000;  // metres that a camera goes
+constexpr double kLeastReach = 30;             // metres from the middle, on however small a land
+constexpr double kLeastPathReach = 1200;       // metres from the middle to points of a path, likewise
+
+/// Leaves and moss lie wherever the camera comes near.
+void check_litter(Errors& list, const SceneSetup& setup, const Film& film) {
+  double length = 0;
+  Vec3 last = setup.camera.location.at(film.time(1));
+  for (int frame = 2; frame <= film.frames; ++frame) {
+    Vec3 at = setup.camera.location.at(film.time(frame));
+    length += glm::distance(last, at);
+    last = at;
+  }
+  if (length > kLongestCameraPath)
+    list.push_back({"/camera/location",
+                    fmt::format("the camera goes {:.3g} m through the forest; expected {:g} m at most",
+                                length, kLongestCameraPath)});
+}
+
+/// Share of the light that crowns take at a time of the year, against summer.
+double canopy(double year) {
+  constexpr double kBareCrown = 0.15;  // branches alone
+  return std::lerp(kBareCrown, 1.0, leaf_share(year));
+}
+
 }  // namespace
 
 ForestGround::ForestGround(const Forest& forest, const Film& film, Seed seed, const AltitudeLines& lines)
@@ -163,29 +188,6 @@ Land ForestGround::land(std::vector<Spot> taken) const {
   return land;
 }
 
-namespace {
-
-constexpr double kLongestCameraPath = 10'000;  // metres that a camera goes
-constexpr double kLeastReach = 30;             // metres from the middle, on however small a land
-constexpr double kLeastPathReach = 1200;       // metres from the middle to points of a path, likewise
-
-/// Leaves and moss lie wherever the camera comes near.
-void check_litter(Errors& list, const SceneSetup& setup, const Film& film) {
-  double length = 0;
-  Vec3 last = setup.camera.location.at(film.time(1));
-  for (int frame = 2; frame <= film.frames; ++frame) {
-    Vec3 at = setup.camera.location.at(film.time(frame));
-    length += glm::distance(last, at);
-    last = at;
-  }
-  if (length > kLongestCameraPath)
-    list.push_back({"/camera/location",
-                    fmt::format("the camera goes {:.3g} m through the forest; expected {:g} m at most",
-                                length, kLongestCameraPath)});
-}
-
-}  // namespace
-
 SettingRow forest_setting() {
   return setting_row<Forest>(
       "forest", "wooded hills at any hour of the day", "forest",
@@ -245,16 +247,6 @@ double leaf_share(double year) {
   static const Curve kLeaves({{0.29, 0}, {0.38, 1}, {0.76, 1}, {0.9, 0}});
   return kLeaves(year - std::floor(year));
 }
-
-namespace {
-
-/// Share of the light that crowns take at a time of the year, against summer.
-double canopy(double year) {
-  constexpr double kBareCrown = 0.15;  // branches alone
-  return std::lerp(kBareCrown, 1.0, leaf_share(year));
-}
-
-}  // namespace
 
 Sky forest_sky(const SceneSetup& setup) {
   const auto& forest = setup.block<Forest>();

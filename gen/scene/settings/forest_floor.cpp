@@ -85,6 +85,22 @@ Patch laid(const ForestLand& land, int first_shape, Vec2 at, const Seed& seed) {
           slope / (2 * step)};
 }
 
+/// Metres aside of a line that goes straight on behind both ends, negative on its left.
+double aside_of(const std::vector<Vec2>& line, Vec2 at) {
+  double least = 1e9, aside = 1e9;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    Vec2 along = line[i + 1] - line[i], from = at - line[i];
+    double share = static_cast<double>(glm::dot(from, along) / std::max(glm::dot(along, along), 1e-9f));
+    if (i > 0) share = std::max(share, 0.0);
+    if (i + 2 < line.size()) share = std::min(share, 1.0);
+    double away = static_cast<double>(glm::length(from - along * static_cast<float>(share)));
+    if (away >= least) continue;
+    least = away;
+    aside = along.x * from.y < along.y * from.x ? -away : away;
+  }
+  return aside;
+}
+
 }  // namespace
 
 double mossiness(const ForestLand& land, double share, Vec2 at, Seed seed) {
@@ -119,26 +135,6 @@ double mountain_cover_on(const ForestLand& land, const AltitudeLines& lines, Vec
   double hollow = (left + right + back + front) / 4 - here;
   return mountain_cover_at(lines, {at, here, slope / (2 * kAside), hollow / static_cast<double>(kAside)});
 }
-
-namespace {
-
-/// Metres aside of a line that goes straight on behind both ends, negative on its left.
-double aside_of(const std::vector<Vec2>& line, Vec2 at) {
-  double least = 1e9, aside = 1e9;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    Vec2 along = line[i + 1] - line[i], from = at - line[i];
-    double share = static_cast<double>(glm::dot(from, along) / std::max(glm::dot(along, along), 1e-9f));
-    if (i > 0) share = std::max(share, 0.0);
-    if (i + 2 < line.size()) share = std::min(share, 1.0);
-    double away = static_cast<double>(glm::length(from - along * static_cast<float>(share)));
-    if (away >= least) continue;
-    least = away;
-    aside = along.x * from.y < along.y * from.x ? -away : away;
-  }
-  return aside;
-}
-
-}  // namespace
 
 void mark_mountain(Surface& floor, const ForestLand& land, const AltitudeLines& lines,
                    const std::vector<Vec2>& path, double width) {

@@ -73,6 +73,76 @@ struct Paving {
   }
 };
 
+constexpr int kMeadowRings = 110, kPlotRings = 150;  // a plot's ground has edges
+
+/// The mesh of the lawn, `rings` of it where it is as small as can be.
+GroundDisc disc_for(double radius, int rings) { return GroundDisc{kRadius, rings}.reaching(radius, kEven); }
+
+/// The level of a pond, as far as its shore may reach.
+Surface water_of(const PondShape& pond) {
+  constexpr std::uint32_t kSides = 48;
+  constexpr float kShore = 1.35f;  // the uneven shore against the ellipse
+  Surface water;
+  water.position.push_back(Vec3(pond.center.x, pond.level, pond.center.y));
+  for (std::uint32_t i = 0; i < kSides; ++i) {
+    double turn = 2 * kPi * i / kSides;
+    water.position.push_back(water.position[0] +
+                             kShore * Vec3(pond.size.x * std::cos(turn), 0, pond.size.y * std::sin(turn)));
+    water.triangle.push_back({0, 1 + (i + 1) % kSides, 1 + i});
+  }
+  water.normal.assign(water.position.size(), Vec3(0, 1, 0));
+  return water;
+}
+
+/// What grows in one of the mixtures: some kinds gather there, others keep away, and on the whole there is as
+/// much of each as was asked for.
+std::vector<Sward> mixture(std::vector<Sward> plants, int which, const Seed& seed) {
+  constexpr double kGathered = 1.1;  // how unlike mixtures are, 0 alike: by eye
+  for (std::size_t i = 0; i < plants.size(); ++i) {
+    double all = 0, here = 0;
+    for (int k = 0; k < kTurfMixtures; ++k) {
+      double weight =
+          std::exp(kGathered * seed.child("liking", i).child(static_cast<std::uint64_t>(k)).range(-1, 1));
+      all += weight / kTurfMixtures;
+      if (k == which) here = weight;
+    }
+    plants[i].share *= here / all;
+  }
+  return plants;
+}
+
+constexpr double kDryStones = 0.1;  // metres from stones and clods to the water
+
+/// Patches of stones of about `stone` metres, in all sizes of squares.
+std::vector<Surface> stone_patches(double stone, Seed seed) {
+  constexpr double kOverlap = 1.06;  // side of what the stones cover by that of the square
+  std::vector<Surface> shapes;
+  for (int i = 0; i < kTurfShapes * (kHalvings + 1); ++i)
+    shapes.push_back(gravel_surface(kOverlap * kPatchStones * stone / (1 << i / kTurfShapes), stone,
+                                    seed.child("shape").child(static_cast<std::uint64_t>(i))));
+  return shapes;
+}
+
+/// Covers what of the box of `points` and `margin` metres round them is inside of the paving's edge.
+void pave(Paving paving, std::span<const Vec2> points, double margin, double side) {
+  Vec2 low = points[0], high = low;
+  for (Vec2 at : points) low = glm::min(low, at), high = glm::max(high, at);
+  auto columns = static_cast<int>(std::ceil((high.x - low.x + 2 * margin) / side)),
+       rows = static_cast<int>(std::ceil((high.y - low.y + 2 * margin) / side));
+  for (int i = 0; i <= rows * columns; ++i) {
+    Vec2 at(low.x - margin + (i % columns) * side, low.y - margin + (i / columns) * side);
+    paving.lay(at, side, 0, paving.seed.child("patch", static_cast<std::uint64_t>(i)));
+  }
+}
+
+/// The corners of the areas of a kind.
+std::vector<Vec2> corners_of(const Plot& plot, GroundArea::Kind kind) {
+  std::vector<Vec2> corners;
+  for (const GroundArea& area : plot.areas())
+    if (area.kind == kind) std::ranges::copy(area.box(), std::back_inserter(corners));
+  return corners;
+}
+
 }  // namespace
 
 Color grass_at(const Color& summer, double year) {
@@ -121,31 +191,6 @@ void estimate_grass(const LawnShape& shape, const Film& film, GroundSizeEstimate
   ground.placed += kPi * std::pow(shape.extent / side + 0.5, 2);
 }
 
-namespace {
-
-constexpr int kMeadowRings = 110, kPlotRings = 150;  // a plot's ground has edges
-
-/// The mesh of the lawn, `rings` of it where it is as small as can be.
-GroundDisc disc_for(double radius, int rings) { return GroundDisc{kRadius, rings}.reaching(radius, kEven); }
-
-/// The level of a pond, as far as its shore may reach.
-Surface water_of(const PondShape& pond) {
-  constexpr std::uint32_t kSides = 48;
-  constexpr float kShore = 1.35f;  // the uneven shore against the ellipse
-  Surface water;
-  water.position.push_back(Vec3(pond.center.x, pond.level, pond.center.y));
-  for (std::uint32_t i = 0; i < kSides; ++i) {
-    double turn = 2 * kPi * i / kSides;
-    water.position.push_back(water.position[0] +
-                             kShore * Vec3(pond.size.x * std::cos(turn), 0, pond.size.y * std::sin(turn)));
-    water.triangle.push_back({0, 1 + (i + 1) % kSides, 1 + i});
-  }
-  water.normal.assign(water.position.size(), Vec3(0, 1, 0));
-  return water;
-}
-
-}  // namespace
-
 Lawn::Lawn(const Floor& floor, const LawnShape& shape, Quality quality, double reach, Seed seed,
            const Garden* garden)
     : shape_(shape), quality_(quality), radius_(std::max(kRadius, reach + kBeyond)), seed_(seed) {
@@ -171,27 +216,6 @@ void Lawn::strew(TakenSpots&) {
   lay_gravel(seed_.child("gravel"));
   lay_earth(seed_.child("earth"));
 }
-
-namespace {
-
-/// What grows in one of the mixtures: some kinds gather there, others keep away, and on the whole there is as
-/// much of each as was asked for.
-std::vector<Sward> mixture(std::vector<Sward> plants, int which, const Seed& seed) {
-  constexpr double kGathered = 1.1;  // how unlike mixtures are, 0 alike: by eye
-  for (std::size_t i = 0; i < plants.size(); ++i) {
-    double all = 0, here = 0;
-    for (int k = 0; k < kTurfMixtures; ++k) {
-      double weight =
-          std::exp(kGathered * seed.child("liking", i).child(static_cast<std::uint64_t>(k)).range(-1, 1));
-      all += weight / kTurfMixtures;
-      if (k == which) here = weight;
-    }
-    plants[i].share *= here / all;
-  }
-  return plants;
-}
-
-}  // namespace
 
 /// Covers the middle with patches of grass.
 void Lawn::sow(Seed seed) {
@@ -242,42 +266,6 @@ void Lawn::sow(Seed seed) {
     }
   }
 }
-
-namespace {
-
-constexpr double kDryStones = 0.1;  // metres from stones and clods to the water
-
-/// Patches of stones of about `stone` metres, in all sizes of squares.
-std::vector<Surface> stone_patches(double stone, Seed seed) {
-  constexpr double kOverlap = 1.06;  // side of what the stones cover by that of the square
-  std::vector<Surface> shapes;
-  for (int i = 0; i < kTurfShapes * (kHalvings + 1); ++i)
-    shapes.push_back(gravel_surface(kOverlap * kPatchStones * stone / (1 << i / kTurfShapes), stone,
-                                    seed.child("shape").child(static_cast<std::uint64_t>(i))));
-  return shapes;
-}
-
-/// Covers what of the box of `points` and `margin` metres round them is inside of the paving's edge.
-void pave(Paving paving, std::span<const Vec2> points, double margin, double side) {
-  Vec2 low = points[0], high = low;
-  for (Vec2 at : points) low = glm::min(low, at), high = glm::max(high, at);
-  auto columns = static_cast<int>(std::ceil((high.x - low.x + 2 * margin) / side)),
-       rows = static_cast<int>(std::ceil((high.y - low.y + 2 * margin) / side));
-  for (int i = 0; i <= rows * columns; ++i) {
-    Vec2 at(low.x - margin + (i % columns) * side, low.y - margin + (i / columns) * side);
-    paving.lay(at, side, 0, paving.seed.child("patch", static_cast<std::uint64_t>(i)));
-  }
-}
-
-/// The corners of the areas of a kind.
-std::vector<Vec2> corners_of(const Plot& plot, GroundArea::Kind kind) {
-  std::vector<Vec2> corners;
-  for (const GroundArea& area : plot.areas())
-    if (area.kind == kind) std::ranges::copy(area.box(), std::back_inserter(corners));
-  return corners;
-}
-
-}  // namespace
 
 /// Covers the path with gravel.
 void Lawn::lay_gravel(Seed seed) {

@@ -47,6 +47,33 @@ Animated<double>* hour_of(SceneSetup& setup) {
   return hour ? hour(setup) : nullptr;
 }
 
+/// Under the open sky; all three linear, as the camera sees them.
+FillLight open_fill(Vec3 zenith, Vec3 horizon, Vec3 ground) {
+  float dim = std::min(1.0f, 0.02f + glm::dot(zenith + horizon, Vec3(0.3f, 0.6f, 0.1f)) / 1.25f);
+  return {.above = dim * (0.27f * zenith + 0.5f),
+          .aside = dim * (0.2f * zenith + 0.3f),
+          .below = dim * (0.2f * ground + 0.1f),
+          .eye = dim * (0.08f * zenith + 0.12f)};
+}
+
+/// A clear sky, about, without what the sun adds round it.
+std::vector<BackdropStop> open_backdrop(Vec3 zenith, Vec3 horizon) {
+  return {{0, horizon},
+          {0.06, glm::mix(0.94f * horizon, zenith, 0.06f)},
+          {0.25, glm::mix(horizon, zenith, 0.55f)},
+          {0.6, zenith},
+          {1, 0.85f * zenith}};
+}
+
+/// Rain and snow fall from an overcast sky, and their drops and flakes are a part of the haze.
+void cloud_over(SceneSetup& now) {
+  auto& meadow = now.block<Meadow>();
+  meadow.clouds = std::lerp(meadow.clouds, 1.0, overcast(now));
+  double lost = is_rainy(now) ? rain_extinction(now.rain->rate.at(0)) : 0;
+  if (is_snowy(now)) lost += snowfall_extinction(now.snow.falling.at(0));
+  meadow.haze = 1 / (1 / meadow.haze + lost);
+}
+
 }  // namespace
 
 bool is_snowy(const SceneSetup& setup) {
@@ -81,28 +108,6 @@ Vec3 backdrop_at(const Daylight& light, float height) {
   }
   return seen;
 }
-
-namespace {
-
-/// Under the open sky; all three linear, as the camera sees them.
-FillLight open_fill(Vec3 zenith, Vec3 horizon, Vec3 ground) {
-  float dim = std::min(1.0f, 0.02f + glm::dot(zenith + horizon, Vec3(0.3f, 0.6f, 0.1f)) / 1.25f);
-  return {.above = dim * (0.27f * zenith + 0.5f),
-          .aside = dim * (0.2f * zenith + 0.3f),
-          .below = dim * (0.2f * ground + 0.1f),
-          .eye = dim * (0.08f * zenith + 0.12f)};
-}
-
-/// A clear sky, about, without what the sun adds round it.
-std::vector<BackdropStop> open_backdrop(Vec3 zenith, Vec3 horizon) {
-  return {{0, horizon},
-          {0.06, glm::mix(0.94f * horizon, zenith, 0.06f)},
-          {0.25, glm::mix(horizon, zenith, 0.55f)},
-          {0.6, zenith},
-          {1, 0.85f * zenith}};
-}
-
-}  // namespace
 
 Daylight daylight(const Sky& sky, const Color& ground, Vec3 matt, double haze) {
   Daylight light{.sun = sky.lamp, .sunlight = sky.lamplight, .brightest = 3, .soft = true};
@@ -155,19 +160,6 @@ Land Grounds::sloping_land(double size, std::vector<Spot> taken) const {
 }
 
 constexpr double kMeteredSnow = 0.8;  // stops by which a light meter turns down what snow makes bright
-
-namespace {
-
-/// Rain and snow fall from an overcast sky, and their drops and flakes are a part of the haze.
-void cloud_over(SceneSetup& now) {
-  auto& meadow = now.block<Meadow>();
-  meadow.clouds = std::lerp(meadow.clouds, 1.0, overcast(now));
-  double lost = is_rainy(now) ? rain_extinction(now.rain->rate.at(0)) : 0;
-  if (is_snowy(now)) lost += snowfall_extinction(now.snow.falling.at(0));
-  meadow.haze = 1 / (1 / meadow.haze + lost);
-}
-
-}  // namespace
 
 SceneSetup setup_at(const SceneSetup& setup, double time) {
   SceneSetup now = setup;

@@ -70,6 +70,48 @@ constexpr float kSunKcd = 40.7f;               // 128 klx before the air, on a w
 constexpr Vec3 kSunColor(1.05f, 1.0f, 0.95f);  // before the air
 constexpr Vec3 kBalance(0.95f, 1.0f, 1.08f);   // a camera set to daylight, not to the white of a screen
 
+/// Light of a clear sky without its sun on level ground, klx (IES Lighting Handbook).
+double diffuse_light(double height) {
+  constexpr double kA = 0.8, kB = 15.5;  // klx, as the handbook calls them; its C, the power, is a half
+  return kA + kB * std::sqrt(std::max(0.0, std::sin(height)));
+}
+
+/// Film gives in before it is white.
+Vec3 exposed(Vec3 light) {
+  constexpr float kKnee = 0.45f, kRoom = 0.50f;
+  float bright = brightness(light);
+  if (bright <= kKnee) return light;
+  return light * ((kKnee + kRoom * (1 - std::exp((kKnee - bright) / kRoom))) / bright);
+}
+
+/// What level ground gets of light from all above.
+template <class Light>
+double lit_from(const Light& light) {
+  constexpr int kRings = 12, kTurns = 16;
+  double sum = 0;
+  for (int i = 0; i < kRings; ++i)
+    for (int k = 0; k < kTurns; ++k) {
+      // Rings that a level surface sees alike.
+      double level = std::sqrt((i + 0.5) / kRings), turn = 2 * kPi * (k + 0.5) / kTurns;
+      sum += static_cast<double>(
+          light(Vec3(level * std::cos(turn), std::sqrt(1 - level * level), level * std::sin(turn))));
+    }
+  return kPi * sum / (kRings * kTurns);
+}
+
+constexpr float kOverhead = 2, kOverHorizon = 0.1f;  // rise over run, where means of a sky are taken
+
+/// The mean of a sky all round, at a height.
+Vec3 mean(const Sky& sky, float height) {
+  constexpr int kDirections = 12;
+  Vec3 sum(0);
+  for (int i = 0; i < kDirections; ++i) {
+    double turn = 2 * kPi * (i + 0.5) / kDirections;
+    sum += sky.from(glm::normalize(Vec3(std::cos(turn), height, std::sin(turn))));
+  }
+  return sum / static_cast<float>(kDirections);
+}
+
 }  // namespace
 
 Luminance preetham(double theta, double gamma, double sun, double t) {
@@ -113,11 +155,6 @@ Vec3 through_air(double height, double turbidity) {
     left[i] = static_cast<float>(std::exp(-mass * depth));
   }
   return left;
-}
-
-double diffuse_light(double height) {
-  constexpr double kA = 0.8, kB = 15.5;  // klx, as the handbook calls them; its C, the power, is a half
-  return kA + kB * std::sqrt(std::max(0.0, std::sin(height)));
 }
 
 Vec3 Sky::day(Vec3 direction) const {
@@ -169,18 +206,6 @@ Vec3 Sky::dusk(Vec3 direction) const {
   return glm::max(light, kDarkest) * dim_;
 }
 
-namespace {
-
-/// Film gives in before it is white.
-Vec3 exposed(Vec3 light) {
-  constexpr float kKnee = 0.45f, kRoom = 0.50f;
-  float bright = brightness(light);
-  if (bright <= kKnee) return light;
-  return light * ((kKnee + kRoom * (1 - std::exp((kKnee - bright) / kRoom))) / bright);
-}
-
-}  // namespace
-
 Vec3 Sky::from(Vec3 direction) const {
   Vec3 tint = stops_ * glm::mix(tint_low_, tint_high_, std::sqrt(std::max(direction.y, 0.0f)));
   Vec3 by_day = twilight_ < 1 ? exposed(metered_ * tint * day(direction)) : Vec3(0);
@@ -195,38 +220,6 @@ Vec3 Sky::rain_cloud(double height) const {
   auto shape = static_cast<float>(0.5 + 0.5 * (1 + 2 * std::max(height, 0.0)) / 3);
   return exposed(stops_ * glm::mix(1.0f, dim_, twilight_) * shape * kGrey);
 }
-
-namespace {
-
-/// What level ground gets of light from all above.
-template <class Light>
-double lit_from(const Light& light) {
-  constexpr int kRings = 12, kTurns = 16;
-  double sum = 0;
-  for (int i = 0; i < kRings; ++i)
-    for (int k = 0; k < kTurns; ++k) {
-      // Rings that a level surface sees alike.
-      double level = std::sqrt((i + 0.5) / kRings), turn = 2 * kPi * (k + 0.5) / kTurns;
-      sum += static_cast<double>(
-          light(Vec3(level * std::cos(turn), std::sqrt(1 - level * level), level * std::sin(turn))));
-    }
-  return kPi * sum / (kRings * kTurns);
-}
-
-constexpr float kOverhead = 2, kOverHorizon = 0.1f;  // rise over run, where means of a sky are taken
-
-/// The mean of a sky all round, at a height.
-Vec3 mean(const Sky& sky, float height) {
-  constexpr int kDirections = 12;
-  Vec3 sum(0);
-  for (int i = 0; i < kDirections; ++i) {
-    double turn = 2 * kPi * (i + 0.5) / kDirections;
-    sum += sky.from(glm::normalize(Vec3(std::cos(turn), height, std::sin(turn))));
-  }
-  return sum / static_cast<float>(kDirections);
-}
-
-}  // namespace
 
 Sky::Sky(const SkyShape& shape)
     : sun(glm::normalize(shape.sun)),

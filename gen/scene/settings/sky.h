@@ -36,9 +36,6 @@ Luminance preetham(double theta, double gamma, double sun, double turbidity);
 /// Transmission of sunlight through the air, per colour channel, for that height of the sun, radians.
 Vec3 through_air(double height, double turbidity);
 
-/// Light of a clear sky without its sun on level ground, klx (IES Lighting Handbook).
-double diffuse_light(double height);
-
 /// Parameters of a sky.
 struct SkyShape {
   Vec3 sun{0, 1, 0};       ///< direction toward it, of any length

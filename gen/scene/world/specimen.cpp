@@ -37,6 +37,16 @@ void put_placed(Placed& placed, Vec3 foot, Quat turn, float size) {
   for (Vec3& scale : placed.scale) scale *= size;
 }
 
+void pose_falling(const Specimen& specimen, double time, Pose& pose) {
+  const Life& life = specimen.life;
+  Motion calmed = specimen.motion;
+  calmed.wave.amplitude *= life.fall->sway(time);
+  calmed.exposure *= life.fall->sway(time);
+  pose_skeleton(specimen.model.skeleton, calmed, time, pose);
+  auto ground = [&](double x, double z) { return (*life.ground)(x, z); };
+  turn_fallen(*life.fall, specimen.model.skeleton, time, ground, pose);
+}
+
 }  // namespace
 
 std::size_t bytes_of(const Specimen& specimen) {
@@ -119,20 +129,6 @@ Result<std::shared_ptr<const Specimen>> developed(const Specimen& specimen, doub
   if (const auto& sway = specimen.motion.sway) set_wind(now, sway->wind);
   return std::make_shared<const Specimen>(std::move(now));
 }
-
-namespace {
-
-void pose_falling(const Specimen& specimen, double time, Pose& pose) {
-  const Life& life = specimen.life;
-  Motion calmed = specimen.motion;
-  calmed.wave.amplitude *= life.fall->sway(time);
-  calmed.exposure *= life.fall->sway(time);
-  pose_skeleton(specimen.model.skeleton, calmed, time, pose);
-  auto ground = [&](double x, double z) { return (*life.ground)(x, z); };
-  turn_fallen(*life.fall, specimen.model.skeleton, time, ground, pose);
-}
-
-}  // namespace
 
 void pose_specimen(const Specimen& specimen, double time, Pose& pose) {
   const Skeleton& rest = specimen.model.skeleton;
