@@ -89,6 +89,38 @@ void add_clump(Surface& s, const Clump& clump, Seed seed) {
   }
 }
 
+// A house, in metres.
+constexpr double kWindowSpacing = 2.6;  // from middle to middle, about
+constexpr double kWallAFloor = 2.6;     // height of walls that makes one floor more
+constexpr float kFloorHeight = 2.7f;    // from floor to floor, where windows are put
+constexpr float kEavesOver = 0.4f;      // how far the roof juts out
+constexpr float kFooting = -0.8f;       // to which walls go down, so that none floats on a slope
+constexpr float kTiles = 0.12f;         // from the top of the walls to that of the roof
+
+/// What is open in a wall: half its width, and its lower and upper edge above the floor.
+struct Opening {
+  float half, low, high;
+};
+constexpr Opening kDoorOpening{0.5f, 0, 2.1f}, kWindowOpening{0.55f, 0.9f, 2.2f};
+
+/// A wall's windows: `count` of them, and with a door the middle one is one. `across` is the way along the
+/// wall, of length 1.
+void add_windows(Surface& s, Vec3 foot, Vec3 across, Vec3 out, double length, double floors, bool door) {
+  auto count = std::max(1, static_cast<int>(length / kWindowSpacing));
+  for (int floor = 0; floor < static_cast<int>(floors); ++floor)
+    for (int i = 0; i < count; ++i) {
+      bool is_door = door && floor == 0 && i == count / 2;
+      auto [half, low, high] = is_door ? kDoorOpening : kWindowOpening;
+      // A little before the wall, or the two would be one face.
+      Vec3 at = foot + across * static_cast<float>(length * ((i + 0.5) / count - 0.5)) + 0.03f * out +
+                Vec3(0, kFloorHeight * static_cast<float>(floor), 0);
+      Vec3 up(0, 1, 0);
+      std::array<Vec3, 4> pane{at - half * across + low * up, at + half * across + low * up,
+                               at + half * across + high * up, at - half * across + high * up};
+      add_far_polygon(s, pane, kWindow);
+    }
+}
+
 }  // namespace
 
 Surface far_broadleaf(Seed seed) {
@@ -173,42 +205,6 @@ Surface far_hedge(Seed seed) {
   }
   return s;
 }
-
-namespace {
-
-// A house, in metres.
-constexpr double kWindowSpacing = 2.6;  // from middle to middle, about
-constexpr double kWallAFloor = 2.6;     // height of walls that makes one floor more
-constexpr float kFloorHeight = 2.7f;    // from floor to floor, where windows are put
-constexpr float kEavesOver = 0.4f;      // how far the roof juts out
-constexpr float kFooting = -0.8f;       // to which walls go down, so that none floats on a slope
-constexpr float kTiles = 0.12f;         // from the top of the walls to that of the roof
-
-/// What is open in a wall: half its width, and its lower and upper edge above the floor.
-struct Opening {
-  float half, low, high;
-};
-constexpr Opening kDoorOpening{0.5f, 0, 2.1f}, kWindowOpening{0.55f, 0.9f, 2.2f};
-
-/// A wall's windows: `count` of them, and with a door the middle one is one. `across` is the way along the
-/// wall, of length 1.
-void add_windows(Surface& s, Vec3 foot, Vec3 across, Vec3 out, double length, double floors, bool door) {
-  auto count = std::max(1, static_cast<int>(length / kWindowSpacing));
-  for (int floor = 0; floor < static_cast<int>(floors); ++floor)
-    for (int i = 0; i < count; ++i) {
-      bool is_door = door && floor == 0 && i == count / 2;
-      auto [half, low, high] = is_door ? kDoorOpening : kWindowOpening;
-      // A little before the wall, or the two would be one face.
-      Vec3 at = foot + across * static_cast<float>(length * ((i + 0.5) / count - 0.5)) + 0.03f * out +
-                Vec3(0, kFloorHeight * static_cast<float>(floor), 0);
-      Vec3 up(0, 1, 0);
-      std::array<Vec3, 4> pane{at - half * across + low * up, at + half * across + low * up,
-                               at + half * across + high * up, at - half * across + high * up};
-      add_far_polygon(s, pane, kWindow);
-    }
-}
-
-}  // namespace
 
 Surface far_house(double long_side, double wide, double eaves, Seed seed) {
   Surface s;

@@ -38,6 +38,31 @@ std::vector<double> ring_distances(const GroundDisc& disc) {
   return distances;
 }
 
+constexpr int kCells = 128;  // along x and z, the origin in the middle
+constexpr int kWider = 4;    // times the squares of the next grid
+constexpr double kFinestSquare =
+    1.0 / 64;  // metres, the squares of the first, as meshes are finest in their middle
+constexpr std::size_t kSquares = std::size_t{kCells} * kCells;  // of a grid
+
+/// The number of a square; far out of the grid the nearest that is outside of it.
+int cell_of(double x, double side) {
+  return static_cast<int>(std::clamp(std::floor(x / side) + kCells / 2, -1.0, double{kCells}));
+}
+
+/// Whether a square is one of those that the grid within covers.
+bool is_inner(int cell) { return std::abs(2 * cell + 1 - kCells) < kCells / kWider; }
+
+/// The height of a triangle at (x, z), if it is there.
+std::optional<double> height_at(const std::array<Vec3, 3>& triangle, double x, double z) {
+  const auto& [p, q, r] = triangle;
+  double qx = q.x - p.x, qz = q.z - p.z, rx = r.x - p.x, rz = r.z - p.z, dx = x - p.x, dz = z - p.z;
+  double area = qx * rz - qz * rx;
+  if (area == 0) return {};
+  double s = (dx * rz - dz * rx) / area, t = (qx * dz - qz * dx) / area;
+  if (s < -1e-9 || t < -1e-9 || s + t > 1 + 1e-9) return {};
+  return p.y + s * (q.y - p.y) + t * (r.y - p.y);
+}
+
 }  // namespace
 
 Surface ground_surface(const Ground& ground, Vec2 centre, const GroundDisc& disc) {
@@ -89,35 +114,6 @@ Surface ground_surface(const std::function<double(Vec2)>& height, Vec2 centre, c
   set_normals(surface);
   return surface;
 }
-
-namespace {
-
-constexpr int kCells = 128;  // along x and z, the origin in the middle
-constexpr int kWider = 4;    // times the squares of the next grid
-constexpr double kFinestSquare =
-    1.0 / 64;  // metres, the squares of the first, as meshes are finest in their middle
-constexpr std::size_t kSquares = std::size_t{kCells} * kCells;  // of a grid
-
-/// The number of a square; far out of the grid the nearest that is outside of it.
-int cell_of(double x, double side) {
-  return static_cast<int>(std::clamp(std::floor(x / side) + kCells / 2, -1.0, double{kCells}));
-}
-
-/// Whether a square is one of those that the grid within covers.
-bool is_inner(int cell) { return std::abs(2 * cell + 1 - kCells) < kCells / kWider; }
-
-/// The height of a triangle at (x, z), if it is there.
-std::optional<double> height_at(const std::array<Vec3, 3>& triangle, double x, double z) {
-  const auto& [p, q, r] = triangle;
-  double qx = q.x - p.x, qz = q.z - p.z, rx = r.x - p.x, rz = r.z - p.z, dx = x - p.x, dz = z - p.z;
-  double area = qx * rz - qz * rx;
-  if (area == 0) return {};
-  double s = (dx * rz - dz * rx) / area, t = (qx * dz - qz * dx) / area;
-  if (s < -1e-9 || t < -1e-9 || s + t > 1 + 1e-9) return {};
-  return p.y + s * (q.y - p.y) + t * (r.y - p.y);
-}
-
-}  // namespace
 
 Heights::Heights(const Surface& surface) {
   float reach = 0;

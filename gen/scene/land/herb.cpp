@@ -49,6 +49,33 @@ Vec3 round_about(const StalkAxes& s, double angle) {
   return s.x * static_cast<float>(std::cos(angle)) + s.y * static_cast<float>(std::sin(angle));
 }
 
+/// The petals or rays of a flower head: points round its rim, three to each of them; how far the rim rises by
+/// the radius; and how far its normals lean inward.
+struct HeadShape {
+  std::uint32_t rim;
+  float rise, inward;
+};
+constexpr HeadShape kFivePetals{15, 0.55f, 0.4f}, kThirteenRays{39, 0.12f, 0};
+
+/// A spindle of three sides along an axis.
+void add_spindle(Surface& s, Vec3 foot, Vec3 tip, float radius, float v, float belly) {
+  Corners corners{s, v};
+  Vec3 axis = glm::normalize(tip - foot);
+  Vec3 x = glm::normalize(glm::cross(axis, reference_axis(axis)));
+  Vec3 y = glm::cross(axis, x), middle = foot + (tip - foot) * belly;
+  corners.add(foot, glm::normalize(kUp - axis), 0);
+  for (int i = 0; i < 3; ++i) {
+    Vec3 out =
+        x * static_cast<float>(std::cos(2 * kPi * i / 3)) + y * static_cast<float>(std::sin(2 * kPi * i / 3));
+    corners.add(middle + out * radius, glm::normalize(out + kUp * 0.6f), belly);
+  }
+  corners.add(tip, glm::normalize(kUp + axis), 1);
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    corners.join(0, 1 + i, 1 + (i + 1) % 3);
+    corners.join(1 + i, 4, 1 + (i + 1) % 3);
+  }
+}
+
 }  // namespace
 
 void add_blade(Surface& s, const BladeOfGrass& b) {
@@ -126,18 +153,6 @@ void add_rosette_leaf(Surface& s, const BladeOfGrass& b, float rise) {
   corners.join(7, 8, 9);
 }
 
-namespace {
-
-/// The petals or rays of a flower head: points round its rim, three to each of them; how far the rim rises by
-/// the radius; and how far its normals lean inward.
-struct HeadShape {
-  std::uint32_t rim;
-  float rise, inward;
-};
-constexpr HeadShape kFivePetals{15, 0.55f, 0.4f}, kThirteenRays{39, 0.12f, 0};
-
-}  // namespace
-
 void add_head(Surface& s, const BladeOfGrass& stalk, float radius, Bloom kind) {
   Corners corners{s, coded(kind, stalk.own)};
   constexpr float kBetween = 0.62f;  // radius between two of them, by that at their ends
@@ -176,29 +191,6 @@ void add_clover_head(Surface& s, const BladeOfGrass& stalk, float radius) {
     }
   }
 }
-
-namespace {
-
-/// A spindle of three sides along an axis.
-void add_spindle(Surface& s, Vec3 foot, Vec3 tip, float radius, float v, float belly) {
-  Corners corners{s, v};
-  Vec3 axis = glm::normalize(tip - foot);
-  Vec3 x = glm::normalize(glm::cross(axis, reference_axis(axis)));
-  Vec3 y = glm::cross(axis, x), middle = foot + (tip - foot) * belly;
-  corners.add(foot, glm::normalize(kUp - axis), 0);
-  for (int i = 0; i < 3; ++i) {
-    Vec3 out =
-        x * static_cast<float>(std::cos(2 * kPi * i / 3)) + y * static_cast<float>(std::sin(2 * kPi * i / 3));
-    corners.add(middle + out * radius, glm::normalize(out + kUp * 0.6f), belly);
-  }
-  corners.add(tip, glm::normalize(kUp + axis), 1);
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    corners.join(0, 1 + i, 1 + (i + 1) % 3);
-    corners.join(1 + i, 4, 1 + (i + 1) % 3);
-  }
-}
-
-}  // namespace
 
 void add_spike(Surface& s, const BladeOfGrass& stalk, float length) {
   constexpr float kThick = 0.17f, kBelly = 0.35f;  // radius by the length, and where it is thickest

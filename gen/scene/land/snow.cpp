@@ -36,6 +36,83 @@ std::vector<SnowFall> falls() {
   return list;
 }
 
+/// Values on a square about a point, between which one goes over.
+struct SquareField {
+  Vec2 low{0};
+  float cell = 0.1f;
+  int side = 0;
+  std::vector<float> value;
+
+  Vec2 at(int column, int row) const { return low + cell * Vec2(column, row); }
+  float& of(int column, int row) { return value[static_cast<std::size_t>(row * side + column)]; }
+  float of(int column, int row) const { return value[static_cast<std::size_t>(row * side + column)]; }
+  /// Without a jump to 1 beyond its edge.
+  float operator()(Vec2 p) const {
+    constexpr float kRim = 10;  // cells
+    Vec2 x = (p - low) / cell;
+    float inside =
+        std::min({x.x, x.y, static_cast<float>(side - 1) - x.x, static_cast<float>(side - 1) - x.y});
+    if (inside <= 0) return 1;
+    glm::ivec2 i(glm::min(glm::floor(x), Vec2(static_cast<float>(side - 2))));
+    Vec2 f = x - Vec2(i);
+    float here = glm::mix(glm::mix(of(i.x, i.y), of(i.x + 1, i.y), f.x),
+                          glm::mix(of(i.x, i.y + 1), of(i.x + 1, i.y + 1), f.x), f.y);
+    return glm::mix(1.0f, here, std::min(1.0f, inside / kRim));
+  }
+};
+
+void blur(SquareField& field, int times) {
+  SquareField next = field;
+  for (; times > 0; --times, std::swap(field, next))
+    parallel_for(static_cast<std::size_t>(field.side), [&](std::size_t r) {
+      auto row = static_cast<int>(r);
+      for (int column = 0; column < field.side; ++column) {
+        float sum = 0;
+        for (int y = -1; y <= 1; ++y)
+          for (int x = -1; x <= 1; ++x)
+            sum +=
+                field.of(std::clamp(column + x, 0, field.side - 1), std::clamp(row + y, 0, field.side - 1));
+        next.of(column, row) = sum / 9;
+      }
+    });
+}
+
+/// How much the wind lays down or takes at a place, as a factor: by the steepest rise of what stands before
+/// the wind, and behind it.
+float drifted(const SnowLand& land, const CoverGrid& bodies, const SnowWind& wind, Vec2 at) {
+  // Places that are looked at: metres to the first and the farthest, and from each to the next a factor.
+  constexpr float kFirstPlace = 0.3f, kLee = 5, kNextPlace = 1.25f;
+  // Rise over run of what begins to stop the wind and of what stops it, and how much snow that lays down or
+  // takes: by eye.
+  constexpr double kLeeFrom = 0.05, kLeeFull = 0.7, kLaid = 1.1;
+  constexpr double kBeforeFrom = 0.1, kBeforeFull = 1.2, kTaken = 0.7;
+  if (wind.drift <= 0) return 1;
+  auto height = static_cast<float>(land.height(at));
+  auto steepest = [&](Vec2 toward) {
+    float most = 0;
+    for (float far = kFirstPlace; far < kLee; far *= kNextPlace) {
+      Vec2 there = at + far * toward;
+      most = std::max(most, (bodies.top(there, height) - height) / far);
+    }
+    return static_cast<double>(most);
+  };
+  double lee = smooth_step(kLeeFrom, kLeeFull, steepest(-wind.toward)),
+         before = smooth_step(kBeforeFrom, kBeforeFull, steepest(wind.toward));
+  return static_cast<float>(1 + wind.drift * (kLaid * lee - kTaken * before));
+}
+
+/// 1, and toward 0 at the foot of a trunk.
+float hollow(const std::vector<SnowTrunk>& trunks, Vec2 at) {
+  constexpr float kLeastWide = 0.12f, kByTrunk = 0.9f;  // metres, and more by the trunk's radius
+  constexpr float kHollowDepth = 0.75f;                 // share of the depth
+  float share = 1;
+  for (const SnowTrunk& trunk : trunks) {
+    float far = glm::distance(trunk.at, at) - trunk.radius, wide = kLeastWide + kByTrunk * trunk.radius;
+    if (far < 3 * wide) share *= 1 - kHollowDepth * std::exp(-std::max(far, 0.0f) / wide);
+  }
+  return share;
+}
+
 }  // namespace
 
 double lying_share(double up) {
@@ -141,87 +218,6 @@ Surface snow_surface(const SnowSheet& sheet, double depth) {
   set_normals(surface);
   return surface;
 }
-
-namespace {
-
-/// Values on a square about a point, between which one goes over.
-struct SquareField {
-  Vec2 low{0};
-  float cell = 0.1f;
-  int side = 0;
-  std::vector<float> value;
-
-  Vec2 at(int column, int row) const { return low + cell * Vec2(column, row); }
-  float& of(int column, int row) { return value[static_cast<std::size_t>(row * side + column)]; }
-  float of(int column, int row) const { return value[static_cast<std::size_t>(row * side + column)]; }
-  /// Without a jump to 1 beyond its edge.
-  float operator()(Vec2 p) const {
-    constexpr float kRim = 10;  // cells
-    Vec2 x = (p - low) / cell;
-    float inside =
-        std::min({x.x, x.y, static_cast<float>(side - 1) - x.x, static_cast<float>(side - 1) - x.y});
-    if (inside <= 0) return 1;
-    glm::ivec2 i(glm::min(glm::floor(x), Vec2(static_cast<float>(side - 2))));
-    Vec2 f = x - Vec2(i);
-    float here = glm::mix(glm::mix(of(i.x, i.y), of(i.x + 1, i.y), f.x),
-                          glm::mix(of(i.x, i.y + 1), of(i.x + 1, i.y + 1), f.x), f.y);
-    return glm::mix(1.0f, here, std::min(1.0f, inside / kRim));
-  }
-};
-
-void blur(SquareField& field, int times) {
-  SquareField next = field;
-  for (; times > 0; --times, std::swap(field, next))
-    parallel_for(static_cast<std::size_t>(field.side), [&](std::size_t r) {
-      auto row = static_cast<int>(r);
-      for (int column = 0; column < field.side; ++column) {
-        float sum = 0;
-        for (int y = -1; y <= 1; ++y)
-          for (int x = -1; x <= 1; ++x)
-            sum +=
-                field.of(std::clamp(column + x, 0, field.side - 1), std::clamp(row + y, 0, field.side - 1));
-        next.of(column, row) = sum / 9;
-      }
-    });
-}
-
-/// How much the wind lays down or takes at a place, as a factor: by the steepest rise of what stands before
-/// the wind, and behind it.
-float drifted(const SnowLand& land, const CoverGrid& bodies, const SnowWind& wind, Vec2 at) {
-  // Places that are looked at: metres to the first and the farthest, and from each to the next a factor.
-  constexpr float kFirstPlace = 0.3f, kLee = 5, kNextPlace = 1.25f;
-  // Rise over run of what begins to stop the wind and of what stops it, and how much snow that lays down or
-  // takes: by eye.
-  constexpr double kLeeFrom = 0.05, kLeeFull = 0.7, kLaid = 1.1;
-  constexpr double kBeforeFrom = 0.1, kBeforeFull = 1.2, kTaken = 0.7;
-  if (wind.drift <= 0) return 1;
-  auto height = static_cast<float>(land.height(at));
-  auto steepest = [&](Vec2 toward) {
-    float most = 0;
-    for (float far = kFirstPlace; far < kLee; far *= kNextPlace) {
-      Vec2 there = at + far * toward;
-      most = std::max(most, (bodies.top(there, height) - height) / far);
-    }
-    return static_cast<double>(most);
-  };
-  double lee = smooth_step(kLeeFrom, kLeeFull, steepest(-wind.toward)),
-         before = smooth_step(kBeforeFrom, kBeforeFull, steepest(wind.toward));
-  return static_cast<float>(1 + wind.drift * (kLaid * lee - kTaken * before));
-}
-
-/// 1, and toward 0 at the foot of a trunk.
-float hollow(const std::vector<SnowTrunk>& trunks, Vec2 at) {
-  constexpr float kLeastWide = 0.12f, kByTrunk = 0.9f;  // metres, and more by the trunk's radius
-  constexpr float kHollowDepth = 0.75f;                 // share of the depth
-  float share = 1;
-  for (const SnowTrunk& trunk : trunks) {
-    float far = glm::distance(trunk.at, at) - trunk.radius, wide = kLeastWide + kByTrunk * trunk.radius;
-    if (far < 3 * wide) share *= 1 - kHollowDepth * std::exp(-std::max(far, 0.0f) / wide);
-  }
-  return share;
-}
-
-}  // namespace
 
 SnowSheet snow_on_ground(const SnowLand& land, const CoverGrid& bodies, const SnowWind& wind, Seed seed) {
   Surface mesh = ground_surface(land.height, land.center, {land.radius, land.rings});

@@ -17,48 +17,6 @@ namespace {
 
 constexpr double kShown = 0.6;  // of the bark's scale: thinner branches are too thin to show it
 
-}  // namespace
-
-BranchForm DrawnBranches::form() const {
-  if (!look().drawn()) return BranchForm::none;
-  if (traits.style.build != Build::sweeps) return BranchForm::body;
-  return look().coat ? BranchForm::coat : BranchForm::sweeps;
-}
-
-ChunkOptions DrawnBranches::chunk_options() const {
-  constexpr double kSlide = 0.15;  // of the pattern, by which it may slide on the skin
-  constexpr int kRings = 5;        // nodes, so that rings lie across also where it bends
-  ChunkOptions options;
-  if (!look().drawn()) return options;
-  options.tolerance = look().patterned() ? static_cast<float>(kSlide * look().pattern_size())
-                                         : std::numeric_limits<float>::infinity();
-  options.young_length = static_cast<float>(look().young_length());
-  if (look().bark) options.color = model.color;
-  if (look().ringed()) options.nodes = kRings;
-  // In a swaying tree only thick branches have a bark that one could see slide.
-  if (traits.motion.limbs && !one_texture()) options.thin = static_cast<float>(kShown * look().bark_scale());
-  return options;
-}
-
-bool DrawnBranches::slanted(const Chunk& chunk) const {
-  const Skeleton& s = rest();
-  if (look().skin || !look().patterned() ||
-      s.radius[static_cast<std::size_t>(chunk.first)] < kShown * look().pattern_size())
-    return false;
-  Vec3 offset = s.position[static_cast<std::size_t>(chunk.last)] -
-                s.position[static_cast<std::size_t>(s.parent[static_cast<std::size_t>(chunk.first)])];
-  return std::abs(offset.y) < 0.9f * glm::length(offset);
-}
-
-bool DrawnBranches::one_texture() const {
-  if (!look().bark || look().ringed() || look().young_length() > 0 ||
-      (!model.color.empty() && look().colors() > 1))
-    return false;
-  return !look().patterned() || (!traits.motion.sways() && traits.motion.growth.duration <= 0);
-}
-
-namespace {
-
 constexpr double kNearDepths = 90;  // how many depths of a furrow away it shows that it is one
 
 /// The height of a bark at uv, which goes round and round.
@@ -108,6 +66,44 @@ Surface furrowed(const Surface& wood, const BarkCoat& coat, Vec3 eye) {
 }
 
 }  // namespace
+
+BranchForm DrawnBranches::form() const {
+  if (!look().drawn()) return BranchForm::none;
+  if (traits.style.build != Build::sweeps) return BranchForm::body;
+  return look().coat ? BranchForm::coat : BranchForm::sweeps;
+}
+
+ChunkOptions DrawnBranches::chunk_options() const {
+  constexpr double kSlide = 0.15;  // of the pattern, by which it may slide on the skin
+  constexpr int kRings = 5;        // nodes, so that rings lie across also where it bends
+  ChunkOptions options;
+  if (!look().drawn()) return options;
+  options.tolerance = look().patterned() ? static_cast<float>(kSlide * look().pattern_size())
+                                         : std::numeric_limits<float>::infinity();
+  options.young_length = static_cast<float>(look().young_length());
+  if (look().bark) options.color = model.color;
+  if (look().ringed()) options.nodes = kRings;
+  // In a swaying tree only thick branches have a bark that one could see slide.
+  if (traits.motion.limbs && !one_texture()) options.thin = static_cast<float>(kShown * look().bark_scale());
+  return options;
+}
+
+bool DrawnBranches::slanted(const Chunk& chunk) const {
+  const Skeleton& s = rest();
+  if (look().skin || !look().patterned() ||
+      s.radius[static_cast<std::size_t>(chunk.first)] < kShown * look().pattern_size())
+    return false;
+  Vec3 offset = s.position[static_cast<std::size_t>(chunk.last)] -
+                s.position[static_cast<std::size_t>(s.parent[static_cast<std::size_t>(chunk.first)])];
+  return std::abs(offset.y) < 0.9f * glm::length(offset);
+}
+
+bool DrawnBranches::one_texture() const {
+  if (!look().bark || look().ringed() || look().young_length() > 0 ||
+      (!model.color.empty() && look().colors() > 1))
+    return false;
+  return !look().patterned() || (!traits.motion.sways() && traits.motion.growth.duration <= 0);
+}
 
 TubeShape DrawnBranches::tube_shape(double pixel) const {
   TubeShape shape = look().tube_shape(model.girth);

@@ -7,6 +7,7 @@
 #include "draw/sweep.h"
 #include "field/volume.h"
 #include "geometry/tubes.h"
+#include "motion/unfold.h"
 #include "world/specimen.h"
 
 // How the branches of an organism are drawn.

@@ -17,7 +17,8 @@ constexpr double kYoung = 0.06;  // of the growth, after which a place bears its
 
 /// Places of the grown skin that are at least so far apart.
 std::vector<SurfacePoint> spots_of(const Surface& skin, float apart) {
-  std::vector<SurfacePoint> spots, all;
+  std::vector<SurfacePoint> spots;
+  Darts darts(apart);
   for (const auto& t : skin.triangle) {
     Vec3 a = skin.position[t[0]], b = skin.position[t[1]], c = skin.position[t[2]];
     float side = std::max(glm::distance(a, b), std::max(glm::distance(b, c), glm::distance(c, a)));
@@ -25,12 +26,10 @@ std::vector<SurfacePoint> spots_of(const Surface& skin, float apart) {
     for (int u = 0; u < n; ++u)
       for (int v = 0; u + v < n; ++v) {
         Vec2 at = (Vec2(u, v) + 1.0f / 3.0f) / static_cast<float>(n);
-        all.push_back({t, Vec3(1 - at.x - at.y, at.x, at.y)});
+        SurfacePoint spot{t, Vec3(1 - at.x - at.y, at.x, at.y)};
+        if (darts.try_add(spot.of(skin.position))) spots.push_back(spot);
       }
   }
-  Darts darts(apart);
-  for (const SurfacePoint& spot : all)
-    if (darts.try_add(spot.of(skin.position))) spots.push_back(spot);
   return spots;
 }
 

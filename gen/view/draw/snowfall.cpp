@@ -164,27 +164,6 @@ Flurry flurry_at(const Scene& scene, double time) {
   return flurry;
 }
 
-}  // namespace
-
-std::vector<Streak> snow_flakes(const Scene& scene, double time) {
-  if (!is_snowy(scene.setup) || highest(scene.setup.snow.falling) <= 0) return {};
-  Flurry flurry = flurry_at(scene, time);
-  flurry.least = least_pixels(flurry.eye, flurry.most);
-  constexpr int kSide = 2 * kFarFlake + 3;
-  std::vector<std::vector<Streak>> found(kSide * (kSizes.size() - 1));
-  parallel_for(found.size(), [&](std::size_t i) {
-    std::size_t size = i / kSide;
-    Flurry::Way way = flurry.way_of((kSizes[size] + kSizes[size + 1]) / 2);
-    glm::ivec3 low = glm::ivec3(glm::floor(flurry.eye.at - way.gone)) - kSide / 2;
-    for (int y = 0; y < kSide; ++y)
-      for (int z = 0; z < kSide; ++z)
-        flurry.flakes(low + glm::ivec3(static_cast<int>(i) % kSide, y, z), size, way, found[i]);
-  });
-  return joined(found);
-}
-
-namespace {
-
 /// What a bough has dropped: clumps of some millimetres that fall fast, and puffs of fine powder that widen,
 /// drift and fade.
 class Powder {
@@ -248,6 +227,23 @@ class Powder {
 };
 
 }  // namespace
+
+std::vector<Streak> snow_flakes(const Scene& scene, double time) {
+  if (!is_snowy(scene.setup) || highest(scene.setup.snow.falling) <= 0) return {};
+  Flurry flurry = flurry_at(scene, time);
+  flurry.least = least_pixels(flurry.eye, flurry.most);
+  constexpr int kSide = 2 * kFarFlake + 3;
+  std::vector<std::vector<Streak>> found(kSide * (kSizes.size() - 1));
+  parallel_for(found.size(), [&](std::size_t i) {
+    std::size_t size = i / kSide;
+    Flurry::Way way = flurry.way_of((kSizes[size] + kSizes[size + 1]) / 2);
+    glm::ivec3 low = glm::ivec3(glm::floor(flurry.eye.at - way.gone)) - kSide / 2;
+    for (int y = 0; y < kSide; ++y)
+      for (int z = 0; z < kSide; ++z)
+        flurry.flakes(low + glm::ivec3(static_cast<int>(i) % kSide, y, z), size, way, found[i]);
+  });
+  return joined(found);
+}
 
 std::vector<Streak> snow_powder(const Scene& scene, double time) {
   constexpr float kHangs = 3;         // seconds
