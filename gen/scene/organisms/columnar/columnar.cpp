@@ -1,5 +1,3 @@
-#include "organisms/columnar/columnar.h"
-
 #include <algorithm>
 
 #include "organisms/describe_colony.h"
@@ -7,6 +5,16 @@
 #include "organisms/sheet_growth.h"
 
 namespace frond {
+
+/// A coral that grows by layers where light and food arrive, so that fingers, knobs or pillars form without a
+/// rule.
+struct ColumnarParams {
+  Accretion accretion;
+  TissueLook tissue;
+  Growth growth;
+};
+
+namespace {
 
 Result<Model> grow_columnar(const ColumnarParams& params, const Surroundings& around, Seed seed) {
   constexpr float kLit = 0.1f, kShaded = 0.5f;      // shade of tips, and of what came to rest
@@ -20,6 +28,8 @@ Result<Model> grow_columnar(const ColumnarParams& params, const Surroundings& ar
   return model_of(std::move(skin.surface), std::move(skin.past),
                   material_of(params.tissue, Matter::polyps, seed));
 }
+
+}  // namespace
 
 void describe(Properties& v, Accretion& a) {
   v.number("across", a.across, {.min = 0.01, .max = 5, .unit = "m"},

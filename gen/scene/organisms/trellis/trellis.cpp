@@ -1,4 +1,4 @@
-#include "organisms/trellis/trellis.h"
+#include "masonry/trellis.h"
 
 #include <algorithm>
 
@@ -7,12 +7,22 @@
 
 namespace frond {
 
+/// A trellis of timber and wire.
+struct TrellisParams {
+  TrellisShape shape;
+  Color color{0.50f, 0.40f, 0.30f};   ///< of the wood
+  Color second{0.55f, 0.53f, 0.49f};  ///< of weathered wood
+  Color metal{0.42f, 0.43f, 0.44f};   ///< of the wires
+  double variation = 0.12;            ///< variation of brightness between pieces
+  double weathering = 0.5;            ///< 0 new .. 1 old
+  double moss = 0.1;                  ///< 0 none .. 1
+};
+
 namespace {
 
 constexpr double kTrellisRing = 0.004;  // metres from ring to ring of the timber
 
-}  // namespace
-
+/// It stands along x with the middle of its foot at the origin, its front toward +z; each part is closed.
 Model build_trellis_model(const TrellisParams& params, Seed seed) {
   constexpr double kNearestPith = 0.03, kFarthestPith = 0.14;  // metres from the middle of a part, across
   constexpr double kPithBelow = 0.02, kAlongTrunk = 20;        // metres; to either side of the trunk's middle
@@ -43,6 +53,8 @@ Model build_trellis_model(const TrellisParams& params, Seed seed) {
   }
   return model;
 }
+
+}  // namespace
 
 inline constexpr Choice<TrellisForm> kTrellisForms[] = {
     {"wires", TrellisForm::wires, "posts with level wires, as for espaliers and vines"},
