@@ -1,7 +1,7 @@
-#include "organisms/colony_room.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "organisms/colony.h"
 
 namespace frond {
 

@@ -2,6 +2,7 @@
 
 #include "core/seed.h"
 #include "model/solid.h"
+#include "preset/describe.h"
 
 namespace frond {
 
@@ -15,6 +16,8 @@ struct TissueLook {
   double variation = 0.12;            ///< variation of brightness between individuals
   Polyps polyps;
 };
+
+void describe(Properties& v, TissueLook& t);
 
 /// The material of one colony.
 Material material_of(const TissueLook& look, Matter matter, Seed seed);

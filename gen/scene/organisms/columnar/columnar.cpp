@@ -1,8 +1,9 @@
 #include <algorithm>
 
-#include "organisms/describe_colony.h"
+#include "appearance/describe.h"
 #include "organisms/kinds.h"
 #include "organisms/sheet_growth.h"
+#include "organisms/tissue_look.h"
 
 namespace frond {
 

@@ -1,7 +1,6 @@
 #include "appearance/describe.h"
 #include "organisms/asking.h"
 #include "organisms/colony.h"
-#include "organisms/colony_room.h"
 #include "organisms/coral/coral.h"
 #include "organisms/describe_grammar.h"
 #include "organisms/grammar_faults.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "appearance/describe.h"
 #include "core/noise.h"
-#include "organisms/describe_colony.h"
 #include "organisms/kinds.h"
 #include "organisms/sheet_growth.h"
 
@@ -68,23 +68,17 @@ void describe(Properties& v, EncrustingParams& p) {
 
 namespace {
 
-class EncrustingGrower final : public BodyColony<EncrustingParams> {
+class EncrustingGrower final : public BodyColony<EncrustingGrower, EncrustingParams, grow_encrusting> {
  public:
   static constexpr std::string_view kLeading[] = {"across",    "height", "lobes", "lobe_size",
                                                   "thickness", "rim",    "lumps", "tissue/color"};
 
   Review review() const override { return {check_edge(params.edge, params.across, 10)}; }
-  std::shared_ptr<const Grower> coarse(double share) const override {
-    return longer_edges(*this, share, [](auto& p) -> double& { return p.edge; });
-  }
   Result<SizeEstimate> estimate_size(Seed) const override {
     constexpr double kLaidTriangle = 1.2e-5;  // seconds: each is laid on what is below it
     SizeEstimate sight = estimate_surface(0.8 * params.across * params.across, params.edge);
     sight.seconds = kLaidTriangle * sight.triangles;
     return sight;
-  }
-  Result<Model> grow_at(const Surroundings& around, Seed seed) const override {
-    return grow_encrusting(params, around, seed);
   }
 };
 

@@ -1,6 +1,5 @@
 #include "appearance/describe.h"
 #include "organisms/colony.h"
-#include "organisms/colony_room.h"
 #include "organisms/fan/fan.h"
 #include "organisms/kinds.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "organisms/describe_colony.h"
+#include "appearance/describe.h"
 #include "organisms/kinds.h"
 #include "organisms/sheet_growth.h"
 
@@ -132,24 +132,18 @@ void describe(Properties& v, FolioseParams& f) {
 
 namespace {
 
-class FolioseGrower final : public BodyColony<FolioseParams> {
+class FolioseGrower final : public BodyColony<FolioseGrower, FolioseParams, grow_foliose> {
  public:
   static constexpr std::string_view kLeading[] = {"form",   "across", "height",    "sheets",      "excess",
                                                   "ruffle", "lobes",  "thickness", "tissue/color"};
 
   Review review() const override { return {check_edge(params.edge, params.across, 10)}; }
-  std::shared_ptr<const Grower> coarse(double share) const override {
-    return longer_edges(*this, share, [](auto& p) -> double& { return p.edge; });
-  }
   Result<SizeEstimate> estimate_size(Seed) const override {
     // The finer the edge, the finer the ruffles that it makes; as measured.
     constexpr double kEvenEdge = 0.003, kRuffles = 0.9;
     double area = 0.5 * params.sheets * params.across * (params.across / 2 + params.height) *
                   std::sqrt(params.excess) * std::pow(kEvenEdge / params.edge, kRuffles);
     return estimate_surface(area, params.edge);
-  }
-  Result<Model> grow_at(const Surroundings& around, Seed seed) const override {
-    return grow_foliose(params, around, seed);
   }
 };
 

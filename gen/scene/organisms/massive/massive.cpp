@@ -5,7 +5,7 @@
 
 #include "accretion/reaction.h"
 #include "accretion/refine.h"
-#include "organisms/describe_colony.h"
+#include "appearance/describe.h"
 #include "organisms/kinds.h"
 #include "organisms/sheet_growth.h"
 
@@ -77,7 +77,7 @@ void describe(Properties& v, MassiveParams& m) {
 
 namespace {
 
-class MassiveGrower final : public BodyColony<MassiveParams> {
+class MassiveGrower final : public BodyColony<MassiveGrower, MassiveParams, grow_massive> {
  public:
   static constexpr std::string_view kLeading[] = {"across", "height", "lumps", "lump_size",
                                                   "relief", "valley", "depth", "tissue/color"};
@@ -88,9 +88,6 @@ class MassiveGrower final : public BodyColony<MassiveParams> {
                 "found triangles that are too large for the coral; expected an eighth of its size at most"}}};
     return {};
   }
-  std::shared_ptr<const Grower> coarse(double share) const override {
-    return longer_edges(*this, share, [](auto& p) -> double& { return p.edge; });
-  }
   Result<SizeEstimate> estimate_size(Seed) const override {
     SizeEstimate sight =
         estimate_surface(law_of(params), kPi * params.across * (params.across / 4 + params.height));
@@ -100,9 +97,6 @@ class MassiveGrower final : public BodyColony<MassiveParams> {
     sight.held *= 1 << 2 * kTimes;
     sight.seconds += kReacting * reaction_of(params).steps * sight.triangles;
     return sight;
-  }
-  Result<Model> grow_at(const Surroundings& around, Seed seed) const override {
-    return grow_massive(params, around, seed);
   }
 };
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "appearance/describe.h"
 #include "core/noise.h"
-#include "organisms/describe_colony.h"
 #include "organisms/kinds.h"
 #include "organisms/sheet_growth.h"
 
@@ -118,7 +118,7 @@ void describe(Properties& v, MushroomParams& p) {
 
 namespace {
 
-class MushroomGrower final : public BodyColony<MushroomParams> {
+class MushroomGrower final : public BodyColony<MushroomGrower, MushroomParams, grow_mushroom> {
  public:
   static constexpr std::string_view kLeading[] = {"across", "height", "oval",
                                                   "septa",  "depth",  "tissue/color"};
@@ -133,9 +133,6 @@ class MushroomGrower final : public BodyColony<MushroomParams> {
     sight.seconds = kTriangleSeconds * sight.triangles;
     sight.held = kPastTriangle * sight.triangles;
     return sight;
-  }
-  Result<Model> grow_at(const Surroundings& around, Seed seed) const override {
-    return grow_mushroom(params, around, seed);
   }
 };
 

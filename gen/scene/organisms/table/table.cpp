@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "appearance/describe.h"
 #include "core/cell_grid.h"
 #include "core/noise.h"
 #include "core/triangle.h"
-#include "organisms/describe_colony.h"
 #include "organisms/kinds.h"
 #include "organisms/sheet_growth.h"
 
@@ -179,15 +179,12 @@ void describe(Properties& v, TableParams& p) {
 
 namespace {
 
-class TableGrower final : public BodyColony<TableParams> {
+class TableGrower final : public BodyColony<TableGrower, TableParams, grow_table> {
  public:
   static constexpr std::string_view kLeading[] = {"across",    "height",    "stalk",   "lobes",
                                                   "thickness", "branchlet", "spacing", "tissue/color"};
 
   Review review() const override { return {check_edge(params.edge, params.across, 10)}; }
-  std::shared_ptr<const Grower> coarse(double share) const override {
-    return longer_edges(*this, share, [](auto& p) -> double& { return p.edge; });
-  }
   Result<SizeEstimate> estimate_size(Seed) const override {
     constexpr double kBothSides = 1.6;  // of the square across
     constexpr double kOneTier = 55;     // edges across; the lobes of finer rims overlap
@@ -202,9 +199,6 @@ class TableGrower final : public BodyColony<TableParams> {
     sight.held *= kPlateHeld;
     sight.triangles += kBranchletTriangles * branchlets;
     return sight;
-  }
-  Result<Model> grow_at(const Surroundings& around, Seed seed) const override {
-    return grow_table(params, around, seed);
   }
 };
 

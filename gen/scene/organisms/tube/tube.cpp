@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "appearance/describe.h"
 #include "core/noise.h"
-#include "organisms/describe_colony.h"
 #include "organisms/kinds.h"
 #include "organisms/sheet_growth.h"
 
@@ -107,22 +107,16 @@ void describe(Properties& v, TubeParams& p) {
 
 namespace {
 
-class TubeGrower final : public BodyColony<TubeParams> {
+class TubeGrower final : public BodyColony<TubeGrower, TubeParams, grow_tube> {
  public:
   static constexpr std::string_view kLeading[] = {"form", "across", "height", "tubes", "radius",
                                                   "wall", "bulge",  "lumps",  "ribs",  "tissue/color"};
 
   Review review() const override { return {check_edge(params.edge, params.radius, 1)}; }
-  std::shared_ptr<const Grower> coarse(double share) const override {
-    return longer_edges(*this, share, [](auto& p) -> double& { return p.edge; });
-  }
   Result<SizeEstimate> estimate_size(Seed) const override {
     return estimate_surface(
         2 * kPi * params.tubes * (params.radius + params.height * params.bulge / 3) * params.height,
         params.edge);
-  }
-  Result<Model> grow_at(const Surroundings& around, Seed seed) const override {
-    return grow_tube(params, around, seed);
   }
 };
 
