@@ -3,7 +3,7 @@
 
 #include "grove/age.h"
 #include "grove/earlier.h"
-#include "organisms/tree/describe.h"
+#include "organisms/tree/tree.h"
 #include "preset/reader.h"
 #include "try/engine/answers.h"
 #include "try/engine/lit_tree.h"

@@ -5,10 +5,9 @@
 
 #include "appearance/appearance.h"
 #include "core/assets.h"
-#include "crown/along_parent.h"
 #include "crown/colonize.h"
 #include "geometry/girth.h"
-#include "organisms/tree_guide.h"
+#include "organisms/tree_parts.h"
 
 namespace frond {
 

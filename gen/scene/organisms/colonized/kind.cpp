@@ -4,7 +4,6 @@
 #include "appearance/describe.h"
 #include "appearance/picture_bounds.h"
 #include "organisms/colonized/colonized.h"
-#include "organisms/describe_along.h"
 #include "organisms/kinds.h"
 
 namespace frond {

@@ -1,8 +1,6 @@
-#include "organisms/tree/describe.h"
-
 #include "appearance/describe.h"
-#include "organisms/describe_along.h"
 #include "organisms/describe_grammar.h"
+#include "organisms/tree/tree.h"
 
 namespace frond {
 

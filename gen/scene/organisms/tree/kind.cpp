@@ -8,8 +8,8 @@
 #include "grove/age.h"
 #include "grove/edit_tree.h"
 #include "organisms/kinds.h"
-#include "organisms/tree/describe.h"
 #include "organisms/tree/topple.h"
+#include "organisms/tree/tree.h"
 
 namespace frond {
 

@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "grove/age.h"
 #include "grove/bodies.h"
+#include "grove/edit_tree.h"
 #include "organisms/tree/knots.h"
-#include "organisms/tree/shape_tree.h"
 #include "organisms/tree/topple.h"
 
 namespace frond {
@@ -149,8 +150,7 @@ std::vector<std::int32_t> order_model(Model& model) {
   return order;
 }
 
-/// Tells the axes of the nodes, and adds the faces of what was sawn off by that year. `node`: of each
-/// internode.
+/// Tells the axes of the nodes of internodes, and adds the faces of what was sawn off by that year.
 void add_axes(Model& model, const Standing& now, const GrownTree& tree, const std::vector<std::int32_t>& node,
               double year) {
   const Skeleton& s = model.skeleton;
@@ -230,29 +230,6 @@ void add_sprigs(Model& model, const Standing& now, const GrownTree& tree,
   }
 }
 
-}  // namespace
-
-LeafLook pictured_leaves(const TreeParams& params) {
-  const LeafLook& look = *params.leaves.picture;
-  return params.season ? with_seasons(look, *params.season) : look;
-}
-
-double cycle_at(const Growth& growth, int cycles, double time) {
-  double end = cycles + kSummer;
-  if (growth.duration <= 0) return time >= growth.start ? end : 0;
-  return end * std::clamp((time - growth.start) / growth.duration, 0.0, 1.0);
-}
-
-std::size_t GrowthBudget::most() const {
-  constexpr double kInternodesASecond = 3e5;
-  if (internodes > 0) return static_cast<std::size_t>(internodes);
-  return static_cast<std::size_t>(std::ceil(seconds * kInternodesASecond));
-}
-
-int cycles_of(const TreeParams& params) { return growth_cycles(params.species, params.years); }
-
-namespace {
-
 /// The line that the stem of a tree follows, where it stands; empty where it has no guide.
 std::vector<Vec3> line_of(const TreeSite& site) {
   Result<GuideAxes> guides = axes_of_guide(site.params->guide);
@@ -299,7 +276,34 @@ void note_late_cuts(const std::vector<Seedling>& seedlings, Grove& grove) {
             fmt::format("/edits/{}/cut: is after the last year of the tree", cut.number));
 }
 
+/// Shapes the branches of a grown tree by the place where they leave their parent, in all years of its life.
+void shape_tree(GrownTree& t, const BranchesAlong& by) {
+  if (by.even()) return;
+  const ShapedAlong to = shape_along(t.parent, t.axes, t.tip, t.radius, by);
+  t.tip = to.position;
+  turn_wood(t, to.turn, to.radius);
+}
+
 }  // namespace
+
+LeafLook pictured_leaves(const TreeParams& params) {
+  const LeafLook& look = *params.leaves.picture;
+  return params.season ? with_seasons(look, *params.season) : look;
+}
+
+double cycle_at(const Growth& growth, int cycles, double time) {
+  double end = cycles + kSummer;
+  if (growth.duration <= 0) return time >= growth.start ? end : 0;
+  return end * std::clamp((time - growth.start) / growth.duration, 0.0, 1.0);
+}
+
+std::size_t GrowthBudget::most() const {
+  constexpr double kInternodesASecond = 3e5;
+  if (internodes > 0) return static_cast<std::size_t>(internodes);
+  return static_cast<std::size_t>(std::ceil(seconds * kInternodesASecond));
+}
+
+int cycles_of(const TreeParams& params) { return growth_cycles(params.species, params.years); }
 
 Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather, std::span<const Surface> bodies,
                  const Detour& detour, std::span<const Event> events, std::optional<Vec3> toward) {
@@ -313,13 +317,12 @@ Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather, st
                          line_of(site), site.name, year_cuts(site)});
     own_cuts.push_back(seedlings.back().cuts);
   }
-  const int oldest = std::ranges::max(ages);
+  const auto oldest_at = std::ranges::max_element(ages);
+  const int oldest = *oldest_at;
   GroveOptions options = grove_options(*sites[0].params, history, weather, bodies);
   options.detour = detour;
   options.dates.toward = toward;
-  const Species& first =
-      sites[static_cast<std::size_t>(std::max_element(ages.begin(), ages.end()) - ages.begin())]
-          .params->species;
+  const Species& first = sites[static_cast<std::size_t>(oldest_at - ages.begin())].params->species;
   for (const Event& event : events)
     options.dates.events.push_back(
         {std::max(0, static_cast<int>(cycle_at_age(first, event.year)) - 1), event});
@@ -338,8 +341,7 @@ Grove grow_trees(std::span<const TreeSite> sites, bool history, Seed weather, st
     int lived = 0;
     for (const GrownTree& tree : grove.trees) lived = std::max(lived, static_cast<int>(tree.sizes.size()));
     note_late_cuts(seedlings, grove);
-    bool whole = lived == grove.cycles;
-    grove.cycles = lived;
+    bool whole = std::exchange(grove.cycles, lived) == lived;
     if (!whole && !even) continue;
     for (std::size_t i = 0; i < sites.size(); ++i) shape_tree(grove.trees[i], sites[i].params->along);
     return grove;

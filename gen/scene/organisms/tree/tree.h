@@ -6,13 +6,12 @@
 #include "core/detour.h"
 #include "core/result.h"
 #include "core/seed.h"
-#include "crown/along_parent.h"
 #include "foliage/sprig.h"
 #include "grove/grove.h"
 #include "grove/standing.h"
 #include "model/model.h"
 #include "motion/motion.h"
-#include "organisms/tree_guide.h"
+#include "organisms/tree_parts.h"
 #include "pruning/edits.h"
 
 namespace frond {
@@ -59,6 +58,8 @@ struct TreeParams {
   Wave wave;
   Growth growth;
 };
+
+void describe(Properties& v, TreeParams& t);
 
 /// A tree of a grove before it grows.
 struct TreeSite {

@@ -5,7 +5,7 @@
 #include "appearance/appearance.h"
 #include "core/assets.h"
 #include "crown/weber_penn.h"
-#include "organisms/tree_guide.h"
+#include "organisms/tree_parts.h"
 
 namespace frond {
 
