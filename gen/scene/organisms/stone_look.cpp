@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "appearance/mask_drawing.h"
+#include "images/describe_mask.h"
 
 namespace frond {
 
@@ -21,6 +22,18 @@ constexpr KindRow kKinds[] = {
     {StoneKind::limestone, Matter::karst, {0.74f, 0.69f, 0.58f}, {0.50f, 0.42f, 0.31f}, 0.03},
     {StoneKind::basalt, Matter::basalt, {0.30f, 0.30f, 0.31f}, {0.44f, 0.34f, 0.25f}, 0.10},
     {StoneKind::reef, Matter::reef, {0.56f, 0.52f, 0.44f}, {0.58f, 0.27f, 0.36f}, 0.05}};
+
+constexpr Choice<Falloff> kFalloffs[] = {
+    {"gaussian", Falloff::gaussian, "exp(-r d^2)"},
+    {"soft", Falloff::soft, "1 - 4 d^6/9r^6 + 17 d^4/9r^4 - 22 d^2/9r^2"},
+    {"cubic", Falloff::cubic, "(1 - d^2/r^2)^3"}};
+
+constexpr Choice<StoneKind> kStoneKinds[] = {
+    {"granite", StoneKind::granite, "speckled and massive"},
+    {"limestone", StoneKind::limestone, "pale, banded and pitted"},
+    {"basalt", StoneKind::basalt, "dark, fine and cracked"},
+    {"reef", StoneKind::reef,
+     "limestone under water: coralline crust, and with `moss` turf of algae on what faces upward"}};
 
 Color brighter(Color c, double factor) {
   auto channel = [&](float x) { return std::clamp(x * static_cast<float>(factor), 0.0f, 1.0f); };
@@ -78,6 +91,61 @@ double estimate_triangles(const RockShape& shape) {
       6.6;  // where cells are not divided; each division makes 4 times as many
   double flat = kTriangles * std::pow(kAtTolerance / std::max(shape.cells.tolerance, 1e-9), kFinerPower);
   return std::min(flat, kOneCellTriangles * std::pow(4.0, shape.cells.depth));
+}
+
+void describe(Properties& v, Blob& b) {
+  v.vector("radius", b.radius, {.min = 0.01, .max = 100}, "Radii of the ellipsoid along x, y and z");
+  v.vector("center", b.center, {.min = -1000, .max = 1000}, "Middle of the ellipsoid, measured in its radii");
+}
+
+void describe(Properties& v, Weathering& w) {
+  v.integer("facets", w.facets, {.min = 0, .max = 100},
+            "Number of planes along which pieces have broken off");
+  v.number("facet_depth", w.facet_depth, {.min = 0, .max = 0.9},
+           "How much has broken off, as a share of the size");
+  v.number("edge", w.edge, {.min = 0, .max = 1}, "How round the edges between facets are: 0 sharp, 1 worn");
+  v.number("roughness", w.roughness, {.min = 0, .max = 1}, "How strong lumps, dents and grain are");
+  v.number("strata", w.strata, {.min = 0, .max = 1},
+           "How far soft layers lie back behind hard ones; 0 shows no layers");
+  v.number("layer", w.layer, {.min = 0.01, .max = 1},
+           "Thickness of a layer, as a share of the size. Needs strata above 0");
+  v.angle("dip", w.dip, {.min = 0, .max = 90},
+          "Angle of the layers from the horizontal. Needs strata above 0");
+  v.number("underside", w.underside, {.min = 0, .max = 0.9},
+           "Share of the height below which the rock is cut flat");
+}
+
+void describe(Properties& v, StoneLook& s) {
+  v.aspect(Aspect::look);
+  v.choice("kind", s.kind, kStoneKinds, "What stone it is");
+  v.color("color", s.color, "Colour of the stone; without it that of its kind");
+  v.color("second", s.second, "Colour of grains, bands or cracks; without it that of its kind");
+  v.number("scale", s.scale, {.min = 0.001, .max = 100, .unit = "m"}, "Size of the pattern in the stone");
+  v.number("relief", s.relief, {.min = 0, .max = 3}, "Depth of grain and cracks");
+  v.number("moss", s.moss, {.min = 0, .max = 1}, "How much moss and lichen grow on what faces upward");
+  v.object("moss_map", s.moss_map,
+           "A picture that scales the moss, projected onto the stone in the world, with an area");
+  v.number("variation", s.variation, {.min = 0, .max = 0.9},
+           "How much single stones differ in brightness, as a share");
+}
+
+void describe_shape(Properties& v, RockShape& s) {
+  v.list("ellipsoids", s.own, "The blobs that it is made of; without them random ones are taken");
+  v.integer("blobs", s.chance.count, {.min = 1, .max = 200}, "Number of random blobs");
+  v.number("least_radius", s.chance.least_radius, {.min = 0.01, .max = 100},
+           "Least radius of a random blob, along each axis");
+  v.number("most_radius", s.chance.most_radius, {.min = 0.01, .max = 100},
+           "Greatest radius of a random blob, along each axis");
+  v.choice("field", s.falloff, kFalloffs,
+           "How the field of a blob falls with the distance d from its middle, r being its radius");
+  v.number("level", s.level, {.min = 0.01, .max = 100},
+           "Value of the summed fields at the surface; a higher one makes a thinner rock");
+  v.integer("depth", s.cells.depth, {.min = 3, .max = 8},
+            "Depth of the octree: the finest cells are 1/2^depth of the size");
+  v.number("tolerance", s.cells.tolerance, {.min = 0, .max = 0.1},
+           "Share of the size by which flat places may be off; 0 takes the finest cells all over");
+  v.boolean("lying", s.lying, "Whether it lies on a broad side, its shortest axis upright");
+  v.object("weathering", s.weathering, "What time has done to it");
 }
 
 }  // namespace frond

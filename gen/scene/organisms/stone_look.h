@@ -7,6 +7,7 @@
 #include "core/result.h"
 #include "core/seed.h"
 #include "model/model.h"
+#include "preset/describe.h"
 #include "rocks/rock.h"
 
 namespace frond {
@@ -23,6 +24,14 @@ struct StoneLook {
   Mask moss_map;                       ///< scales it; it has an area
   double variation = 0.08;             ///< variation of brightness between stones
 };
+
+// As presets spell them; see preset/describe.h.
+void describe(Properties& v, Blob& b);
+void describe(Properties& v, Weathering& w);
+void describe(Properties& v, StoneLook& s);
+
+/// All properties of a shape except its size.
+void describe_shape(Properties& v, RockShape& s);
 
 /// The error for a map of moss without an area.
 Errors check_stone(const StoneLook& look);

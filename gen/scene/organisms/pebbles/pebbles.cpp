@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "land/scatter.h"
-#include "organisms/describe_stone.h"
 #include "organisms/kinds.h"
 
 namespace frond {

@@ -1,6 +1,5 @@
 #include "organisms/rock/rock.h"
 
-#include "organisms/describe_stone.h"
 #include "organisms/kinds.h"
 
 namespace frond {
