@@ -45,17 +45,4 @@ Surroundings::Hold Surroundings::hold(Vec3 at, float within) const {
   return {inside({place.x, height(place.x, place.z), place.z}), back * glm::normalize(slope)};
 }
 
-AccretionWorld accretion_world(const Surroundings& around) {
-  return {[&](Vec3 at, float within) { return around.room(at, within); },
-          [&](Vec3 at) { return around.light(at); }};
-}
-
-Model model_of(Surface skin, std::vector<std::vector<Vec3>> past, const Material& material) {
-  Solid solid{std::move(skin), material};
-  solid.past = std::move(past);
-  Model model;
-  model.solids.place(model.solids.add_shape(std::move(solid)));
-  return model;
-}
-
 }  // namespace frond

@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "accretion/accretion.h"
 #include "organisms/grower.h"
 #include "world/territory.h"
 
@@ -66,8 +65,8 @@ class ColonyGrower : public LoneGrower {
   }
 };
 
-/// A colony of the kind `Mine` that is a body, as `grow_body` makes it. Its parameters have `across`, `height`
-/// and `growth`; with an `edge`, the length of its triangles' sides, it can be coarser.
+/// A colony of the kind `Mine` that is a body, as `grow_body` makes it. Its parameters have `across`,
+/// `height` and `growth`; with an `edge`, the length of its triangles' sides, it can be coarser.
 template <class Mine, class Params, Result<Model> (*grow_body)(const Params&, const Surroundings&, Seed)>
 class BodyColony : public Described<Params, ColonyGrower> {
  public:
@@ -93,11 +92,5 @@ class BodyColony : public Described<Params, ColonyGrower> {
 /// Bends branches away from neighbours' territories and existing bodies, and ends those that would enter
 /// them. Segments keep their lengths. Nothing changes where there is room.
 void keep_to_room(Skeleton& skeleton, const Surroundings& around);
-
-/// The surroundings for a skin that grows by layers.
-AccretionWorld accretion_world(const Surroundings& around);
-
-/// A body of one living skin, with its past, see Solid::past.
-Model model_of(Surface skin, std::vector<std::vector<Vec3>> past, const Material& material);
 
 }  // namespace frond

@@ -1,8 +1,9 @@
 #include "organisms/describe.h"
 
+#include "appearance/describe.h"
 #include "images/describe_mask.h"
-#include "organisms/describe_edits.h"
 #include "preset/keys.h"
+#include "preset/reader.h"
 
 namespace frond {
 
@@ -11,6 +12,29 @@ namespace {
 constexpr Choice<Layer> kLayers[] = {{"canopy", Layer::canopy, "trees"},
                                      {"shrubs", Layer::shrubs, "bushes and young trees"},
                                      {"herbs", Layer::herbs, "ferns, grass, stones"}};
+
+constexpr Choice<Build> kBuilds[] = {
+    {"sweeps", Build::sweeps, "each branch by itself"},
+    {"fused", Build::fused, "branches grown into one body, rounded at the forks"},
+    {"rough", Build::rough, "one body whose skin has the steps of a coarse grid"},
+    {"voxels", Build::voxels, "built of cubes"}};
+
+bool read_address(Reader& reader, const Value& value, Address& address) {
+  std::optional<std::string> given = reader.text_at(value);
+  if (!given) return false;
+  Result<Address> parsed = parse_address(*given);
+  if (parsed) return address = *parsed, true;
+  return reader.fault(value, kAddressForm), false;
+}
+
+/// `true` for always, or a year.
+bool read_cut(Reader& reader, const Value& value, double& year) {
+  constexpr double kMostYears = 500;
+  if (value.is(Value::Type::boolean) && value.boolean) return year = 0, true;
+  if (value.is(Value::Type::number) && value.number >= 1 && value.number <= kMostYears)
+    return year = value.number, true;
+  return reader.fault(value, "true, or a year of its life from 1 to 500"), false;
+}
 
 }  // namespace
 
@@ -79,16 +103,6 @@ void describe(Properties& v, Sowing& s) {
       "autumn; it may run past the end of the year. Without /scene/year they always are");
 }
 
-namespace {
-
-constexpr Choice<Build> kBuilds[] = {
-    {"sweeps", Build::sweeps, "each branch by itself"},
-    {"fused", Build::fused, "branches grown into one body, rounded at the forks"},
-    {"rough", Build::rough, "one body whose skin has the steps of a coarse grid"},
-    {"voxels", Build::voxels, "built of cubes"}};
-
-}  // namespace
-
 void describe(Properties& v, Stance& s) {
   v.angle("turn", s.turn, {.min = -360, .max = 360}, "Turn about the vertical, besides that of all");
   v.number("size", s.size, {.min = 0.01, .max = 100}, "Factor of its size, besides the random change");
@@ -150,6 +164,55 @@ void describe(Properties& v, Style& s) {
   v.number(
       "limit", s.limit, {.min = 1e6, .max = 1e15, .unit = "bytes"},
       "Memory that one volume may take; one that would need more is refused. Needs build other than sweeps");
+}
+
+void describe_rest(KeyWriter& v, Address& address) {
+  std::string name = text(address);
+  v.add("", name);
+}
+
+void describe(Properties& v, Edit& e) {
+  v.custom(
+      "at", e.at, read_address, R"({"type": "string"})",
+      "The place: numbers of branches, counted from the foot, and a share of the length, as in \"3/1:0.4\": "
+      "four tenths along the first branch of the third one of the stem; \":0.7\" is on the stem itself");
+  v.required("at");
+  v.integer("plant", e.plant, {.min = 0, .max = 1000000},
+            "The one of the entry's plants that is meant, counted from 0; without it all are");
+  v.custom(
+      "cut", e.cut, read_cut,
+      R"({"anyOf": [{"const": true}, {"type": "number", "minimum": 1, "maximum": 500}]})",
+      "Saws off what is beyond the place; a number is the year of its life at whose end that happens, for "
+      "the kind tree, which answers by new shoots");
+  v.vector("bend", e.bend, {.min = -100, .max = 100, .unit = "m"},
+           "Way by which the place is pulled, as by a wire, in the plant's own upright frame");
+  v.number("strength", e.strength, {.min = 0.2, .max = 3},
+           "Factor of the length and thickness of all that is beyond the place");
+  v.boolean("bare", e.bare, "Takes leaves, flowers and fruit off all that is beyond the place");
+  v.object("bark", e.bark,
+           "Another bark of all that is beyond the place, for plants; what it does not say is as on the rest "
+           "of the plant");
+}
+
+void describe(Properties& v, Cut& c) {
+  v.text("entry", c.entry, "Name of the organisms of which some are felled; without it all trees count");
+  v.number("share", c.share, {.min = 0, .max = 1}, "Share of those that still stand, chosen by the seed");
+}
+
+void describe(Properties& v, Prune& p) {
+  v.text("entry", p.entry, "Name of the organisms that are pruned; without it all trees are");
+  v.number("below", p.below, {.min = 0, .max = 100, .unit = "m"},
+           "Height above the foot under which stems lose their limbs");
+}
+
+void describe(Properties& v, Event& e) {
+  v.number("year", e.year, {.min = 0, .max = 10000, .unit = "years"},
+           "When it happens, counted from when the oldest trees began to grow, or in the years of the stand");
+  v.required("year");
+  v.number("storm", e.storm, {.min = 0, .max = 1, .sense = "0.5 breaks limbs, 1 flattens woods"},
+           "Strength of a storm, from the strongest gust of an ordinary year to one of 50 m/s");
+  v.object("cut", e.cut, "Trees that are felled");
+  v.object("prune", e.prune, "Limbs that are taken off");
 }
 
 void describe(Properties& v, Organism& o) {

@@ -17,6 +17,10 @@ void describe(Properties& v, GuidePoint& p);
 /// The point before it.
 void describe_rest(KeyWriter& v, GuidePoint& p);
 
+/// The lines of a file that a guide names: the `l` elements of a Wavefront OBJ text, or a skeleton as SWC,
+/// its main way first; which of them it is counts by what it holds.
+Result<GuideLines> read_guide_file(const NamedFile& file);
+
 /// Reads the lines of a guide's file.
 Errors load_guide(const NamedFile& file, GuideText& guide);
 

@@ -1,6 +1,8 @@
 #include "organisms/describe_grammar.h"
 
-#include "organisms/guide_file.h"
+#include "geometry/obj.h"
+#include "grammar/import.h"
+#include "grammar/kind.h"
 #include "preset/reader.h"
 
 namespace frond {
@@ -80,6 +82,19 @@ bool read_line(Reader& reader, const Value& value, std::int32_t parent, std::vec
 
 bool read_guide_line(Reader& reader, const Value& value, std::vector<GuidePoint>& points) {
   return read_line(reader, value, GuidePoint::kRoot, points);
+}
+
+Result<GuideLines> read_guide_file(const NamedFile& file) {
+  std::string name = file.path.string();
+  if (grammar_kind(name, file.text) == GrammarKind::skeleton) {
+    Result<GuideLines> lines = skeleton_lines(file.text);
+    // What stands in a file that a preset names is not shown.
+    if (!lines) return Error{name, "is a skeleton that cannot be read; `frond derive` of it says why"};
+    return lines;
+  }
+  Result<LineSet> lines = read_obj_lines(file.text, name);
+  if (!lines) return lines.errors();
+  return GuideLines{std::move(lines->place), std::move(lines->line)};
 }
 
 Errors load_guide(const NamedFile& file, GuideText& guide) {

@@ -114,6 +114,19 @@ SizeEstimate estimate_surface(const Accretion& law, double area) {
   return sight;
 }
 
+AccretionWorld accretion_world(const Surroundings& around) {
+  return {[&](Vec3 at, float within) { return around.room(at, within); },
+          [&](Vec3 at) { return around.light(at); }};
+}
+
+Model model_of(Surface skin, std::vector<std::vector<Vec3>> past, const Material& material) {
+  Solid solid{std::move(skin), material};
+  solid.past = std::move(past);
+  Model model;
+  model.solids.place(model.solids.add_shape(std::move(solid)));
+  return model;
+}
+
 Model model_of(SheetBody body, const Material& material) {
   return model_of(std::move(body.surface), std::move(body.past), material);
 }

@@ -4,7 +4,7 @@
 #include "accretion/sheet_body.h"
 #include "organisms/colony.h"
 
-// Functions shared by kinds that grow at a margin.
+// Functions shared by kinds of bodies that grow at a margin or by layers.
 
 namespace frond {
 
@@ -35,6 +35,12 @@ inline constexpr double kPastTriangle = 250;
 
 /// Predicted size of a skin that grows by layers, from its final area, m2.
 SizeEstimate estimate_surface(const Accretion& law, double area);
+
+/// The surroundings for a skin that grows by layers.
+AccretionWorld accretion_world(const Surroundings& around);
+
+/// A body of one living skin, with its past, see Solid::past.
+Model model_of(Surface skin, std::vector<std::vector<Vec3>> past, const Material& material);
 
 /// The body of a sheet as a model.
 Model model_of(SheetBody body, const Material& material);

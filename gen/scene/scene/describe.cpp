@@ -2,7 +2,6 @@
 
 #include "images/describe_mask.h"
 #include "organisms/describe.h"
-#include "organisms/describe_events.h"
 #include "organisms/kinds.h"
 #include "preset/eases.h"
 #include "preset/keys.h"

@@ -11,7 +11,6 @@
 #include "core/content.h"
 #include "core/parallel.h"
 #include "organisms/describe.h"
-#include "organisms/describe_events.h"
 #include "organisms/kinds.h"
 #include "scene/settle.h"
 #include "scene/specimen_cache.h"

@@ -9,7 +9,7 @@
 #include "appearance/describe.h"
 #include "geometry/mesh_file.h"
 #include "images/describe_mask.h"
-#include "organisms/guide_file.h"
+#include "organisms/describe_grammar.h"
 #include "organisms/ivy/ivy.h"
 #include "organisms/kinds.h"
 #include "preset/describe_spline.h"
