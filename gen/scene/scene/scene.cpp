@@ -20,6 +20,7 @@
 #include "scene/feeding.h"
 #include "scene/fit.h"
 #include "scene/inside.h"
+#include "scene/on_bodies.h"
 #include "scene/rain.h"
 #include "scene/remarks.h"
 #include "scene/season.h"

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "scene/scene.h"
-#include "world/world.h"
 
 namespace frond {
 
@@ -9,12 +8,7 @@ namespace frond {
 /// Stems keep out of what is `taken`.
 void sow_copies(Scene& scene, const Preset& preset, const Grounds& ground, std::vector<Spot> taken);
 
-/// Sows those with `place.on` over the bodies that have grown: by the rules of `sown.where`, of which `clear`
-/// and `altitude` do not count. Copies of a layer keep apart in space, and from colonies. An error's `where`
-/// is a pointer into the preset.
-Errors sow_on_bodies(Scene& scene, const Preset& preset, const World& world);
-
-// For both.
+// For those on bodies, too.
 
 /// Appends a copy whose foot is on a surface that faces there.
 void add_copy(Copies& copies, const Organism& organism, Seed seed, DVec3 foot, Vec3 normal, float size,

@@ -3,9 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "organisms/organism.h"
-#include "scene/preset.h"
+#include "scene/scene.h"
 #include "world/world.h"
+
+// What stands on bodies, as `place.on` says.
 
 namespace frond {
 
@@ -15,5 +16,10 @@ namespace frond {
 /// named does not stand there. `notes` takes what found no room.
 Errors settle_colonies(const Preset& preset, std::vector<Bed>& beds, World& world,
                        std::vector<std::string>& notes);
+
+/// Sows those with `place.on` over the bodies that have grown: by the rules of `sown.where`, of which `clear`
+/// and `altitude` do not count. Copies of a layer keep apart in space, and from colonies. An error's `where`
+/// is a pointer into the preset.
+Errors sow_on_bodies(Scene& scene, const Preset& preset, const World& world);
 
 }  // namespace frond
