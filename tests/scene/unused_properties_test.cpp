@@ -7,7 +7,6 @@
 #include "core/files.h"
 #include "preset/json.h"
 #include "preset/manual.h"
-#include "scene/needs.h"
 #include "scene/scene.h"
 
 namespace frond {

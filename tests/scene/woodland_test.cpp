@@ -1,4 +1,4 @@
-#include "scene/woodland.h"
+#include "scene/stand.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,6 @@
 #include "core/bounds.h"
 #include "scene/copies.h"
 #include "scene/scene.h"
-#include "scene/stand.h"
 
 namespace frond {
 namespace {

@@ -77,20 +77,4 @@ std::pair<Vec2, double> seen_ground(const Camera& camera, double length) {
   return {middle, reach};
 }
 
-std::string under_ground(const Camera& camera, const Film& film, const Heights& heights) {
-  constexpr int kMostAsked = 1000;
-  constexpr double kLeast = 0.01;  // metres
-  int step = 1 + (film.frames - 1) / kMostAsked;
-  double deepest = kLeast, first = -1;
-  for (int frame = 1; frame <= film.frames; frame += step) {
-    Vec3 at = camera.location.at(film.time(frame));
-    double depth = heights(at.x, at.z) - at.y;
-    if (depth > kLeast && first < 0) first = film.time(frame);
-    deepest = std::max(deepest, depth);
-  }
-  if (first < 0) return "";
-  return fmt::format("lies up to {:.2g} m under the ground, first at {:.3g} s: nothing is seen from there",
-                     deepest, first);
-}
-
 }  // namespace frond

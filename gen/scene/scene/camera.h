@@ -25,7 +25,4 @@ Lens lens_at(const Camera& camera, double time, double aspect);
 /// there, in a film of so many seconds.
 std::pair<Vec2, double> seen_ground(const Camera& camera, double length);
 
-/// What to say of a camera that goes under the ground while the film lasts; empty where it does not.
-std::string under_ground(const Camera& camera, const Film& film, const Heights& heights);
-
 }  // namespace frond

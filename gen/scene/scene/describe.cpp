@@ -7,8 +7,6 @@
 #include "preset/keys.h"
 #include "preset/palettes.h"
 #include "preset/reader.h"
-#include "scene/describe_plan.h"
-#include "scene/describe_stand.h"
 #include "settings/settings.h"
 
 namespace frond {

@@ -35,6 +35,13 @@ void describe(Properties& v, Air& a);
 void describe(Properties& v, Rain& r);
 void describe(Properties& v, SceneSetup& s);
 
+// The properties of plans and of stand dynamics, in files of their own.
+void describe(Properties& v, RoomKind& r);
+void describe(Properties& v, PlanText& p);
+void describe(Properties& v, TreeText& t);
+void describe(Properties& v, StandPlanting& p);
+void describe(Properties& v, StandText& s);
+
 /// Their colours count where they stand.
 void describe_rest(KeyWriter&, Palettes&);
 

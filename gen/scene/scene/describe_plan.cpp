@@ -1,4 +1,4 @@
-#include "scene/describe_plan.h"
+#include "scene/describe.h"
 
 #include "organisms/describe_grammar.h"
 
@@ -10,11 +10,7 @@ constexpr Choice<RoomGround> kRoomGrounds[] = {{"lawn", RoomGround::lawn, "grass
                                                {"gravel", RoomGround::gravel, "as on the ways"},
                                                {"earth", RoomGround::earth, "a bed"}};
 
-}  // namespace
-
 /// The cells of a plan or of a room along a side.
-namespace {
-
 constexpr Range kPlanCells{.min = 1, .max = 64, .unit = "cells"};
 
 }  // namespace

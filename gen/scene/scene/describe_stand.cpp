@@ -1,4 +1,4 @@
-#include "scene/describe_stand.h"
+#include "scene/describe.h"
 
 namespace frond {
 

@@ -8,4 +8,10 @@ namespace frond {
 /// that nothing of it is in the picture.
 void note_fit(Scene& scene);
 
+/// Notes what was found while it grew, at its place in the preset, each once.
+void note_growth(Scene& scene, const Preset& preset);
+
+/// Notes a camera that sees nothing but the inside of what stands there, or of the ground.
+void note_camera(Scene& scene, const Preset& preset);
+
 }  // namespace frond

@@ -19,7 +19,6 @@
 #include "scene/far.h"
 #include "scene/feeding.h"
 #include "scene/fit.h"
-#include "scene/inside.h"
 #include "scene/on_bodies.h"
 #include "scene/rain.h"
 #include "scene/remarks.h"
@@ -32,7 +31,6 @@
 #include "scene/stand.h"
 #include "scene/style.h"
 #include "scene/wind.h"
-#include "scene/woodland.h"
 #include "settings/meadow.h"
 #include "settings/settings.h"
 #include "world/other_barks.h"
@@ -118,28 +116,6 @@ Surface strewn_surface(const Grounds& ground) {
       append_placed(all, *strewn.shape, at.place, at.turn, at.size);
   all.uv.clear();
   return all;
-}
-
-void note_growth(Scene& scene, const Preset& preset) {
-  for (const Specimen& s : scene.specimens)
-    for (const std::string& note : s.model.notes) {
-      std::string line = s.name.empty() ? note : s.name + ": " + note;
-      if (note.starts_with('/')) {  // a pointer below its entry, and what is said of that
-        std::size_t end = note.find(": ");
-        line = fault_at(preset, fmt::format("/organisms/{}{}", s.entry, note.substr(0, end)),
-                        note.substr(end + 2))
-                   .text();
-      }
-      // One of many like it is enough.
-      if (std::ranges::find(scene.notes, line) == scene.notes.end()) scene.notes.push_back(line);
-    }
-}
-
-/// A camera that sees nothing but the inside of what stands there.
-void note_camera(Scene& scene, const Preset& preset) {
-  for (const std::string& said :
-       {under_ground(scene.setup.camera, preset.film, scene.ground->heights()), inside_something(scene)})
-    if (!said.empty()) scene.notes.push_back(fault_at(preset, "/scene/camera/location", said).text());
 }
 
 /// The phase "grow".

@@ -16,7 +16,11 @@ class SpecimenCache : public LruCache<std::vector<Specimen>> {
   explicit SpecimenCache(std::size_t bytes = std::size_t{2} << 30) : LruCache(bytes) {}
   explicit SpecimenCache(std::shared_ptr<CacheBudget> budget) : LruCache(std::move(budget)) {}
 
-  void keep(const std::string& key, std::vector<Specimen> grown);
+  void keep(const std::string& key, std::vector<Specimen> grown) {
+    std::size_t bytes = grown.capacity() * sizeof(Specimen);
+    for (const Specimen& s : grown) bytes += bytes_of(s);
+    put(key, std::make_shared<const std::vector<Specimen>>(std::move(grown)), bytes);
+  }
 };
 
 }  // namespace frond

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/preset.h"
+#include "scene/scene.h"
 
 namespace frond {
 
@@ -8,5 +8,13 @@ namespace frond {
 /// seed decides it.
 StandHistory stand_history(const Preset& preset);
 StandHistory stand_history(const Preset& preset, const Grounds& ground);
+
+/// Draws the trees of a preset's stand over its years as copies that come, grow, die, fall and rot: adds to
+/// `scene.copy_sets`. Each of its species has a library: the models of the organism that it names, grown
+/// until they have a few heights, alive and dead, and fitted to what trees of the stand of that height
+/// measure on average. A tree goes through them as it grows taller. Its copies are scaled so that height and
+/// crown are those of the tree at any time, also where one takes over from another. What is sown below the
+/// trees shows in the years in which the shade suits it.
+void add_stand(Scene& scene, const Preset& preset, const Grounds& ground, const StandHistory& history);
 
 }  // namespace frond

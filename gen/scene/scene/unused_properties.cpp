@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
+#include "core/function_ref.h"
 #include "preset/fault.h"
 #include "preset/json.h"
+#include "preset/manual.h"
 #include "scene/describe.h"
-#include "scene/needs.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -30,6 +32,70 @@ bool reads_some(const SettingRow& setting, std::string_view block) {
   return std::ranges::any_of(setting.answers.reads, [&](std::string_view own) {
     return own.starts_with(block) && (own.size() == block.size() || own[block.size()] == '/');
   });
+}
+
+/// All properties by their paths.
+const std::map<std::string, Topic>& topics_by_path() {
+  static const std::map<std::string, Topic> all = [] {
+    std::map<std::string, Topic> list;
+    for (Topic& topic : topics_of(preset_schema())) list.emplace(topic.path, topic);
+    return list;
+  }();
+  return all;
+}
+
+/// What stands in front of `end`, which is taken off the text with it.
+std::string_view consume_until(std::string_view& text, std::string_view end) {
+  std::size_t at = std::min(text.find(end), text.size());
+  std::string_view taken = text.substr(0, at);
+  text.remove_prefix(std::min(at + end.size(), text.size()));
+  return taken;
+}
+
+/// A value as needs spell it.
+std::string spelled(const Value& value) {
+  if (value.is(Value::Type::text)) return value.text;
+  if (value.is(Value::Type::boolean)) return value.boolean ? "true" : "false";
+  return "";
+}
+
+bool is_met(const Need& need, const Value& object, const std::string& path) {
+  const Value* beside = object.find(need.name);
+  auto known = topics_by_path().find(path + "/" + std::string(need.name));
+  if (!beside && known == topics_by_path().end()) return true;
+  if (need.of == Need::Of::above_0)
+    return beside ? beside->is(Value::Type::list) || beside->number > 0 : known->second.initial != "0";
+  std::string value = beside ? spelled(*beside) : known->second.initial;
+  std::erase(value, '"');
+  if (need.of == Need::Of::other) return value != need.value;
+  for (std::string_view any = need.value; !any.empty();)
+    if (consume_until(any, "\" or \"") == value) return true;
+  return false;
+}
+
+using Unmet = FunctionRef<void(const Value&, const std::string&, std::string_view)>;
+
+/// Visits the members of an object, whose topics stand below `path`, or in part below `common`, and calls
+/// `unmet` for those that do nothing, for want of what their sentence needs: the value, the pointer to it,
+/// and the words of the need.
+void find_unmet(const Value& object, const std::string& path, const std::string& common,
+                const std::string& pointer, Unmet unmet) {
+  for (const Member& member : object.members) {
+    std::string below = path + "/" + member.name;
+    auto topic = topics_by_path().find(below);
+    if (topic == topics_by_path().end() && !common.empty())
+      topic = topics_by_path().find(below = common + "/" + member.name);
+    if (topic == topics_by_path().end()) continue;
+    std::string at = pointer + "/" + member.name;
+    std::optional<Need> need = need_of(topic->second.sentence);
+    if (need && !is_met(*need, object, below.substr(0, below.rfind('/')))) {
+      unmet(member.value, at, need->words);
+      continue;
+    }
+    find_unmet(member.value, below, "", at, unmet);
+    for (std::size_t i = 0; i < member.value.items.size(); ++i)
+      find_unmet(member.value.items[i], below, "", at + "/" + std::to_string(i), unmet);
+  }
 }
 
 class Finder {
@@ -121,10 +187,11 @@ class Finder {
       note_place("at", "copies on bodies find their own places");
     note_body(organism, written, pointer);
     bool drawn = organism.grower->traits().branches && !organism.sown;
-    find_unmet(written, [&](const Value& value, const std::string& at, std::string_view need) {
+    auto note_unmet = [&](const Value& value, const std::string& at, std::string_view need) {
       if (!drawn && at.starts_with("/body/")) return;  // all of it does nothing
       note(value, pointer + at, fmt::format("it needs {}", need));
-    });
+    };
+    if (const Value* kind = written.find("kind")) find_unmet(written, kind->text, "organism", "", note_unmet);
     note_motion(written, pointer, "wave", "amplitude");
     if (!at(written, "/food/stretch")) note_motion(written, pointer, "food", "strength");
     const Value* strength = at(written, "/food/strength");
@@ -160,6 +227,33 @@ class Finder {
 };
 
 }  // namespace
+
+std::optional<Need> need_of(std::string_view sentence) {
+  std::size_t at = sentence.find("Needs ");
+  if (at == sentence.npos) return std::nullopt;
+  std::string_view rest = sentence.substr(at + 6);
+  Need need;
+  need.words = rest;
+  if (rest.starts_with('"')) {
+    rest.remove_prefix(1);
+    need.name = consume_until(rest, "\": ");
+    rest = consume_until(rest, ",");
+    if (rest.starts_with('"')) rest = rest.substr(1, rest.rfind('"') - 1);
+    need.value = rest;
+    need.words = need.words.substr(0, need.words.find(','));
+    return need;
+  }
+  if (rest.starts_with("a ")) rest.remove_prefix(2);
+  need.name = consume_until(rest, " ");
+  if (rest == "above 0") {
+    need.of = Need::Of::above_0;
+    return need;
+  }
+  if (!rest.starts_with("other than ")) return std::nullopt;
+  need.of = Need::Of::other;
+  need.value = rest.substr(11);
+  return need;
+}
 
 Errors unused_properties(const Preset& preset, const std::string& file_name) {
   return Finder(preset, file_name).find();

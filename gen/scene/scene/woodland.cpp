@@ -1,5 +1,3 @@
-#include "scene/woodland.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -9,6 +7,7 @@
 #include "land/plant_grid.h"
 #include "scene/copies.h"
 #include "scene/entry_seeds.h"
+#include "scene/stand.h"
 
 namespace frond {
 
