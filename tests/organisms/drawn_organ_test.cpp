@@ -1,11 +1,10 @@
-#include "organisms/plant/drawn_organ.h"
+#include "organisms/plant/organ_prototypes.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "core/bounds.h"
-#include "organisms/plant/organ_prototypes.h"
 
 namespace frond {
 namespace {

@@ -1,4 +1,4 @@
-#include "organisms/crown_leaves.h"
+#include "organisms/tree_parts.h"
 
 namespace frond {
 

@@ -8,9 +8,6 @@
 
 namespace frond {
 
-void describe(Properties& v, GrammarText::Rule& r);
-void describe(Properties& v, Limits& l);
-
 /// The values of a guide point besides its position and its children.
 void describe(Properties& v, GuidePoint& p);
 

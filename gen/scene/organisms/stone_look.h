@@ -26,8 +26,6 @@ struct StoneLook {
 };
 
 // As presets spell them; see preset/describe.h.
-void describe(Properties& v, Blob& b);
-void describe(Properties& v, Weathering& w);
 void describe(Properties& v, StoneLook& s);
 
 /// All properties of a shape except its size.

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <vector>
+
+#include "appearance/appearance.h"
 #include "crown/along_parent.h"
 #include "crown/axes.h"
+#include "crown/crown.h"
 #include "grammar/guide.h"
 #include "preset/describe.h"
 
@@ -21,7 +25,10 @@ Result<GuideAxes> axes_of_guide(const TreeGuide& guide);
 Errors check_guide(const TreeGuide& guide);
 
 // Curves along the parent as presets spell them; see preset/describe.h.
-void describe(Properties& v, AlongParent& a);
 void describe(Properties& v, BranchesAlong& b);
+
+/// Places a leaf or sprig of `size` metres (across, along and above) at each site.
+void put_leaves(Model& model, const std::vector<LeafSite>& sites, const TreeAppearance& appearance, Vec3 size,
+                Seed seed);
 
 }  // namespace frond

@@ -11,6 +11,11 @@
 
 namespace frond {
 
+inline constexpr Choice<Background> kBackgrounds[] = {
+    {"scene", Background::scene, "the whole scene"},
+    {"ground", Background::ground, "the ground, but neither sky, backdrop, haze nor far land"},
+    {"transparent", Background::transparent, "nothing: what grows and stands there is alone"}};
+
 void describe(Properties& v, Film& f) {
   v.integer("frames", f.frames, {.min = 1, .max = 100000}, "Number of frames; 1 makes a still");
   v.number("fps", f.fps, {.min = 0.1, .max = 1000}, "Frames a second");
@@ -285,6 +290,7 @@ void describe(Properties& v, SceneSetup& s) {
   v.object("snow", s.snow, "Snow and hoarfrost on everything, for meadow, garden and forest");
 }
 
+/// Their colours count where they stand.
 void describe_rest(KeyWriter&, Palettes&) {}
 
 void describe(Properties& v, Preset& p) {

@@ -32,6 +32,16 @@ void set_range(FarView& view, std::vector<std::array<double, 2>> ranges) {
   view.from = first, view.to = first + 2 * kPi - gap;
 }
 
+/// The stand of a sown organism of that name, a new one where none of it is sown near.
+CopySet& copy_set_named(Scene& scene, const Preset& preset, const std::string& name) {
+  auto set = std::ranges::find(scene.copy_sets, name, [](const CopySet& s) { return s.organism.name; });
+  if (set != scene.copy_sets.end()) return *set;
+  auto entry =
+      std::ranges::find_if(preset.organisms, [&](const Organism& o) { return o.sown && o.name == name; });
+  auto number = static_cast<std::size_t>(entry - preset.organisms.begin());
+  return scene.copy_sets.emplace_back(CopySet{number, *entry, copy_appearance(*entry), {}, {}});
+}
+
 }  // namespace
 
 FarView far_view(const Film& film, const Camera& camera) {
@@ -71,20 +81,6 @@ std::optional<DistantTerrain> far_land_round(const Scene& scene, Seed seed) {
   shape.shaded = shaded_side(scene.setup);
   return distant_terrain(shape, edge, far_view(scene.film, scene.setup.camera), seed);
 }
-
-namespace {
-
-/// The stand of a sown organism of that name, a new one where none of it is sown near.
-CopySet& copy_set_named(Scene& scene, const Preset& preset, const std::string& name) {
-  auto set = std::ranges::find(scene.copy_sets, name, [](const CopySet& s) { return s.organism.name; });
-  if (set != scene.copy_sets.end()) return *set;
-  auto entry =
-      std::ranges::find_if(preset.organisms, [&](const Organism& o) { return o.sown && o.name == name; });
-  auto number = static_cast<std::size_t>(entry - preset.organisms.begin());
-  return scene.copy_sets.emplace_back(CopySet{number, *entry, copy_appearance(*entry), {}, {}});
-}
-
-}  // namespace
 
 void plant_far_trees(Scene& scene, const Preset& preset, DistantTerrain& far, Seed seed) {
   if (!scene.setup.far || scene.setup.far->trees.empty()) return;

@@ -21,12 +21,6 @@ constexpr int kRings[] = {180, 260, 340};  // of the mesh on the ground, of each
 constexpr float kAround = 20;   // metres from its middle within which bodies shelter and trunks have hollows
 constexpr double kRadius = 45;  // metres beyond the camera's way
 
-}  // namespace
-
-int snow_rings(Quality quality) { return kRings[static_cast<std::size_t>(quality)]; }
-
-namespace {
-
 Vec2 level(Vec3 p) { return {p.x, p.z}; }
 
 /// Metres of a pixel where the camera comes nearest to a box.
@@ -152,6 +146,8 @@ std::vector<SnowSeeds> snow_seeds(const Scene& scene, const Preset& preset) {
 }
 
 }  // namespace
+
+int snow_rings(Quality quality) { return kRings[static_cast<std::size_t>(quality)]; }
 
 void load_boughs(Scene& scene, const Preset& preset) {
   if (scene.setup.snow.deepest() <= 0) return;

@@ -17,16 +17,13 @@ Quat turn_of(const Organism& organism, Seed seed, Vec3 normal) {
   const Place& place = organism.place;
   Vec3 up(0, 1, 0);
   double turn = place.turn + place.turn_variation * seed.child("turn").range(-1, 1);
-  double toward = seed.child("toward").range(0, 2 * kPi);
-  Vec3 axis(static_cast<float>(std::cos(toward)), 0, static_cast<float>(std::sin(toward)));
-  Quat lean = glm::angleAxis(static_cast<float>(place.lean * seed.child("lean").unit()), axis);
   Vec3 across = glm::cross(up, normal);
   double slope = std::asin(std::min(glm::length(across), 1.0f));
   if (normal.y < 0) slope = kPi - slope;
   slope *= 1 - organism.sown->upright;
   Quat tilt =
       slope > 1e-5 ? glm::angleAxis(static_cast<float>(slope), glm::normalize(across)) : Quat(1, 0, 0, 0);
-  return glm::normalize(tilt * lean * glm::angleAxis(static_cast<float>(turn), up));
+  return glm::normalize(tilt * lean_of(organism, seed) * glm::angleAxis(static_cast<float>(turn), up));
 }
 
 Copies copies_of(const Organism& organism, const std::vector<Sprout>& sprouts, const Heights& heights) {

@@ -31,7 +31,6 @@ struct Taxon {
   std::string source;                                ///< where the ranges come from
 };
 
-void describe(Properties& v, TaxonPart& p);
 void describe(Properties& v, Taxon& t);
 
 /// A preset that comes with Frond and tells its taxon.

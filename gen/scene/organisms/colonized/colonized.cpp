@@ -6,7 +6,6 @@
 #include "geometry/mesh_file.h"
 #include "geometry/smooth.h"
 #include "images/read_picture.h"
-#include "organisms/crown_leaves.h"
 #include "pruning/address.h"
 
 namespace frond {
@@ -45,10 +44,6 @@ void set_orders(Skeleton& s) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// Outlines of an SVG, whose y runs down.
 Result<Silhouette> upright(std::vector<std::vector<Vec2>> drawn) {
   for (auto& outline : drawn)
@@ -56,8 +51,17 @@ Result<Silhouette> upright(std::vector<std::vector<Vec2>> drawn) {
   return Silhouette::from_outlines(std::move(drawn));
 }
 
-}  // namespace
+Result<Silhouette> silhouette_of(const NamedFile& file) {
+  if (file.path.extension() == ".svg") {
+    Result<std::vector<std::vector<Vec2>>> drawn = read_svg(file.text);
+    return drawn ? upright(std::move(*drawn)) : drawn.errors();
+  }
+  Result<Raster> picture = read_picture(file.text);
+  if (!picture) return Error{file.path.string(), picture.errors().front().what + ", or an SVG"};
+  return Silhouette::from_picture(*picture);
+}
 
+/// The envelope of a room; an error if something is missing.
 Result<Envelope> envelope_of(const EnvelopeParams& p) {
   auto base = static_cast<float>(p.base), height = static_cast<float>(p.height);
   Vec3 size(p.width, p.height, p.depth > 0 ? p.depth : p.width);
@@ -91,13 +95,6 @@ Result<Envelope> envelope_of(const EnvelopeParams& p) {
   return Error{"", "no such envelope"};
 }
 
-Errors check_colonized(const ColonizedParams& params) {
-  Result<Envelope> envelope = envelope_of(params.envelope);
-  return envelope ? check_guide(params.guide) : envelope.errors();
-}
-
-namespace {
-
 /// What rounding has brought nearer to bodies than its thickness, moved off them.
 void bend_round(Skeleton& skeleton, const Detour& detour) {
   Crown bare{std::move(skeleton), {}};
@@ -119,6 +116,11 @@ void shape_branches(Skeleton& s, const BranchesAlong& by) {
 }
 
 }  // namespace
+
+Errors check_colonized(const ColonizedParams& params) {
+  Result<Envelope> envelope = envelope_of(params.envelope);
+  return envelope ? check_guide(params.guide) : envelope.errors();
+}
 
 Result<Model> grow_colonized_tree(const ColonizedParams& params, Seed seed, const Detour& detour) {
   Result<Envelope> envelope = envelope_of(params.envelope);
@@ -151,20 +153,6 @@ Result<Model> grow_colonized_tree(const ColonizedParams& params, Seed seed, cons
   }
   return model;
 }
-
-namespace {
-
-Result<Silhouette> silhouette_of(const NamedFile& file) {
-  if (file.path.extension() == ".svg") {
-    Result<std::vector<std::vector<Vec2>>> drawn = read_svg(file.text);
-    return drawn ? upright(std::move(*drawn)) : drawn.errors();
-  }
-  Result<Raster> picture = read_picture(file.text);
-  if (!picture) return Error{file.path.string(), picture.errors().front().what + ", or an SVG"};
-  return Silhouette::from_picture(*picture);
-}
-
-}  // namespace
 
 Errors load_envelope(const NamedFile& file, EnvelopeParams& envelope) {
   if (envelope.kind == EnvelopeKind::mesh) return load_unit_mesh(file, envelope.mesh);

@@ -44,9 +44,6 @@ struct ColonizedParams {
 /// One tree, its foot at the origin, round what is in its way.
 Result<Model> grow_colonized_tree(const ColonizedParams& params, Seed seed, const Detour& detour = {});
 
-/// The envelope of a room; an error if something is missing.
-Result<Envelope> envelope_of(const EnvelopeParams& params);
-
 /// What is missing before it can be grown.
 Errors check_colonized(const ColonizedParams& params);
 

@@ -120,10 +120,6 @@ void straighten(FanNet& net, const FanPaths& paths, const std::vector<std::uint3
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// What flows through each thread, and which it comes from mainly.
 struct FanFlow {
   std::vector<float> load;

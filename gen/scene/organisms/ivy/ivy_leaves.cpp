@@ -189,14 +189,6 @@ std::vector<MosaicSite> sites_of(const std::vector<Bud>& buds) {
   return sites;
 }
 
-void append_surface(Surface& to, const Surface& from, const Quat& turn, Vec3 at, float size) {
-  auto offset = static_cast<std::uint32_t>(to.position.size());
-  for (const Vec3& p : from.position) to.position.push_back(at + turn * (p * size));
-  for (const Vec3& n : from.normal) to.normal.push_back(turn * n);
-  to.uv.insert(to.uv.end(), from.uv.begin(), from.uv.end());
-  for (auto [a, b, c] : from.triangle) to.triangle.push_back({a + offset, b + offset, c + offset});
-}
-
 /// A sprig: leaves along a piece of stem that lies in the plane z = 0 and runs in a direction; down is +y.
 struct IvySprig {
   Surface surface;
@@ -232,8 +224,10 @@ IvySprig sprig_of(const std::vector<LeafForm>& forms, const IvyLeaves& l, double
   IvySprig sprig;
   for (const LaidLeaf& leaf : lay_leaves(sites, forms, options)) {
     const MosaicSite& site = sites[leaf.site];
-    append_surface(sprig.surface, ivy_leaf_surface(leaf_shape(leaf.form, 0)), leaf.turn, site.foot,
-                   site.size);
+    Surface blade = ivy_leaf_surface(leaf_shape(leaf.form, 0));
+    for (Vec3& p : blade.position) p = site.foot + leaf.turn * (p * site.size);
+    for (Vec3& n : blade.normal) n = leaf.turn * n;
+    append(sprig.surface, blade);
     for (const Disc& d : forms[leaf.form].discs)
       sprig.form.discs.push_back(
           {site.foot + leaf.turn * (d.middle * site.size), leaf.turn * d.normal, d.radius * site.size});
@@ -247,9 +241,7 @@ std::vector<Color> leaf_colors(const IvyLeaves& l) {
   constexpr float kHalfFresh = 0.45f, kMostlyYoung = 0.85f;  // shares of the young colour
   std::vector<Color> colors = l.colors;
   for (float share : {kHalfFresh, kMostlyYoung})
-    for (const Color& c : l.colors)
-      colors.push_back({c.red + (l.young.red - c.red) * share, c.green + (l.young.green - c.green) * share,
-                        c.blue + (l.young.blue - c.blue) * share});
+    for (const Color& c : l.colors) colors.push_back(mixed(c, l.young, share));
   return colors;
 }
 

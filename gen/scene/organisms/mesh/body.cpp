@@ -42,24 +42,10 @@ std::vector<char> taken_of(const PolygonMesh& mesh, const std::vector<std::strin
 
 }  // namespace
 
-double metres_of(LengthUnit unit) {
-  switch (unit) {
-    case LengthUnit::millimetres:
-      return 0.001;
-    case LengthUnit::centimetres:
-      return 0.01;
-    case LengthUnit::metres:
-      return 1;
-    case LengthUnit::inches:
-      return 0.0254;
-    case LengthUnit::feet:
-      return 0.3048;
-  }
-  return 1;
-}
-
 double size_of(const MeshParams& params) {
-  return params.unit && params.body ? metres_of(*params.unit) * params.body->length : params.size;
+  constexpr double kMetres[] = {0.001, 0.01, 1, 0.0254, 0.3048};  // of each LengthUnit
+  if (!params.unit || !params.body) return params.size;
+  return kMetres[static_cast<std::size_t>(*params.unit)] * params.body->length;
 }
 
 bool MeshBody::bears(std::uint32_t which, const std::vector<std::string>& wanted) const {

@@ -30,7 +30,6 @@ struct MeshBody {
 
 enum class UpAxis { y, z };
 enum class LengthUnit { millimetres, centimetres, metres, inches, feet };
-double metres_of(LengthUnit unit);
 
 /// A body from a file.
 struct MeshParams {

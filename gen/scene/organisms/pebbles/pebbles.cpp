@@ -13,14 +13,7 @@ namespace {
 
 constexpr double kMostTriangles = 1e8;  // of all shapes
 
-}  // namespace
-
-PebblesParams::PebblesParams() {
-  shape.cells = {5, 0.0008};
-  shape.weathering = {.facets = 5, .facet_depth = 0.22, .edge = 0.8, .roughness = 0.2, .underside = 0.05};
-  stone.scale = 0.03;
-}
-
+/// Errors for a shape without an inside, and for ranges with minimum above maximum.
 Errors check_pebbles(const PebblesParams& params) {
   Errors errors = check_rock(params.shape);
   // A shape has about so many triangles where its finest cells are all over.
@@ -32,6 +25,14 @@ Errors check_pebbles(const PebblesParams& params) {
                                 triangles, kMostTriangles)});
   if (params.least_size > params.most_size) errors.push_back({"", "least_size is above most_size"});
   return errors;
+}
+
+}  // namespace
+
+PebblesParams::PebblesParams() {
+  shape.cells = {5, 0.0008};
+  shape.weathering = {.facets = 5, .facet_depth = 0.22, .edge = 0.8, .roughness = 0.2, .underside = 0.05};
+  stone.scale = 0.03;
 }
 
 Result<Model> build_pebbles(const PebblesParams& params, Seed seed) {

@@ -22,7 +22,4 @@ struct PebblesParams {
 /// Lays a field of pebbles round the origin. Each follows the ground below it.
 Result<Model> build_pebbles(const PebblesParams& params, Seed seed);
 
-/// Errors for a shape without an inside, and for ranges with minimum above maximum.
-Errors check_pebbles(const PebblesParams& params);
-
 }  // namespace frond

@@ -1,5 +1,3 @@
-#include "organisms/plant/drawn_organ.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "geometry/tubes.h"
 #include "grammar/figure.h"
 #include "grammar/forecast.h"
+#include "organisms/plant/organ_prototypes.h"
 
 namespace frond {
 

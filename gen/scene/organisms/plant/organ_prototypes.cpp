@@ -5,8 +5,6 @@
 #include <cmath>
 
 #include "foliage/dew.h"
-#include "foliage/foliage_shapes.h"
-#include "organisms/plant/drawn_organ.h"
 
 namespace frond {
 

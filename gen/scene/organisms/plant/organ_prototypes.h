@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "foliage/foliage_shapes.h"
 #include "organisms/plant/plant.h"
 
 namespace frond {
@@ -9,6 +10,12 @@ namespace frond {
 /// The shapes of a plant's organs: one or more for each of `organs`, then the ball and the disc of `@O` and
 /// `@o`.
 std::vector<Prototype> organ_prototypes(const PlantParams& params);
+
+/// The shape of an organ that its own grammar draws, its foot at the origin, its longest way along the stem
+/// one unit. A branch of a single segment is a leaflet, each outline a blade; all other segments are the
+/// stem. Lots depend on `seed`. The errors of a grammar that does not compile name its rules; so do those of
+/// one that cannot be drawn, or that places organs.
+Result<TwigParts> drawn_foliage(const OrganParams& organ, Seed seed);
 
 /// Why the grammar of an organ draws none: one that does not compile, or not all its variants.
 Errors organ_faults(const OrganParams& organ);

@@ -158,8 +158,6 @@ Errors add_organs(Model& model, const std::vector<Site>& sites, const PlantParam
   return {};
 }
 
-}  // namespace
-
 /// The organs that a `~` in the modules names and the plant has not.
 void find_missing_organs(const Grammar& grammar, std::span<const SymbolId> modules, const std::string& where,
                          const PlantParams& params, Errors& errors) {
@@ -169,6 +167,23 @@ void find_missing_organs(const Grammar& grammar, std::span<const SymbolId> modul
     if (variants_of(params, name).first < 0) errors.push_back({where, missing_organ(name)});
   }
 }
+
+/// What a plant's grammar draws at a share of its steps.
+Result<DrawnPlant> drawn_plant(const PlantParams& params, Seed seed, double share,
+                               const Environment& environment) {
+  if (params.grammar.cpfg) return draw_cpfg(params, seed.child("derive"), share);
+  Result<Grammar> grammar = plant_grammar(params);
+  if (!grammar) return grammar.errors();
+  grammar->environment = environment;
+  const GrammarText& text = grammar->text;
+  Result<Figure> figure = figure_of(*grammar, text.growth() * share, seed.child("derive"), text.limits,
+                                    text.organs, params.by_steps);
+  if (!figure) return placed(figure.errors(), text);
+  Bounds box = box_of(*figure);
+  return DrawnPlant{std::move(*figure), {}, box};
+}
+
+}  // namespace
 
 Result<Grammar> plant_grammar(const PlantParams& params) {
   GrammarText text = params.grammar;
@@ -189,25 +204,6 @@ Result<Grammar> plant_grammar(const PlantParams& params) {
   if (!errors.empty()) return errors;
   return grammar;
 }
-
-namespace {
-
-/// What a plant's grammar draws at a share of its steps.
-Result<DrawnPlant> drawn_plant(const PlantParams& params, Seed seed, double share,
-                               const Environment& environment) {
-  if (params.grammar.cpfg) return draw_cpfg(params, seed.child("derive"), share);
-  Result<Grammar> grammar = plant_grammar(params);
-  if (!grammar) return grammar.errors();
-  grammar->environment = environment;
-  const GrammarText& text = grammar->text;
-  Result<Figure> figure = figure_of(*grammar, text.growth() * share, seed.child("derive"), text.limits,
-                                    text.organs, params.by_steps);
-  if (!figure) return placed(figure.errors(), text);
-  Bounds box = box_of(*figure);
-  return DrawnPlant{std::move(*figure), {}, box};
-}
-
-}  // namespace
 
 Result<Model> grow_plant(const PlantParams& params, Seed seed, double share, const Environment& environment) {
   Result<DrawnPlant> plant = drawn_plant(params, seed, 1, environment);

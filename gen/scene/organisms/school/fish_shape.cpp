@@ -153,8 +153,8 @@ void bend_fish(Surface& mesh, double phase, double bend) {
   }
 }
 
-}  // namespace
-
+/// The shape of a fish, one unit long, its nose toward +y, its back toward +z, at a phase of its beat (0..1)
+/// and bent sideways by `bend` (-1 right .. 1 left).
 Surface fish_surface(const FishForm& form, double phase, double bend) {
   Surface mesh;
   add_body(mesh, form);
@@ -163,6 +163,8 @@ Surface fish_surface(const FishForm& form, double phase, double bend) {
   set_normals(mesh);
   return mesh;
 }
+
+}  // namespace
 
 std::vector<Prototype> fish_prototypes(const FishParams& fish) {
   std::vector<Prototype> list;

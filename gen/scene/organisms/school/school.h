@@ -24,10 +24,6 @@ struct SchoolParams {
 /// Number of precomputed positions of the tail and bends of the body.
 inline constexpr int kTailPhases = 8, kTailBends = 3;
 
-/// The shape of a fish, one unit long, its nose toward +y, its back toward +z, at a phase of its beat (0..1)
-/// and bent sideways by `bend` (-1 right .. 1 left).
-Surface fish_surface(const FishForm& form, double phase, double bend);
-
 /// All its shapes: kTailPhases for each of kTailBends.
 std::vector<Prototype> fish_prototypes(const FishParams& fish);
 

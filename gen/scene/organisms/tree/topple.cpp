@@ -97,24 +97,10 @@ float stopping_angle(const Standing& now, const GrownTree& tree, const Wood& woo
   return kFarthest;
 }
 
-}  // namespace
-
-Fall hinge_of(const Standing& now, const GrownTree& tree, const GroundHeight& ground) {
-  assert(now.size() > 1);
-  const CutFace cut = cut_of(now, tree);
-  const Vec3 foot = now.tip[0], toward = tree.uprooting.toward;
-  double far = std::max((tree.uprooting.felled ? 1 : kRootPlate) * now.radius[1], 0.05f);
-  auto slope = [&](double x, double z) {
-    return static_cast<float>((ground(foot.x + x, foot.z + z) - ground(foot.x - x, foot.z - z)) / (2 * far));
-  };
-  Vec3 normal = glm::normalize(Vec3(-slope(far, 0), 1, -slope(0, far)));
-  Vec3 along = glm::normalize(toward - normal * glm::dot(toward, normal));
-  Fall fall;
-  fall.hinge = cut.at + along * static_cast<float>(far);
-  fall.axis = glm::cross(normal, along);
-  return fall;
-}
-
+/// The tree as a body that turns about that hinge. It stops at the first limb or piece of the stem that meets
+/// the ground and bears the load; those that do not bear it break, and lie on the ground. The load is the
+/// force that the ground must give there to hold the tree, twice, as for any load that is put on suddenly.
+/// The mass is that of the wood and leaves, without the root plate.
 Overturning overturning_of(const Standing& now, const GrownTree& tree, const Species& species,
                            const Fall& hinge, const GroundHeight& ground) {
   Turning turning(now, tree, hinge);
@@ -139,6 +125,24 @@ Overturning overturning_of(const Standing& now, const GrownTree& tree, const Spe
   body.torn = std::max(kTorn, 2 * body.balance);
   body.stop = stopping_angle(now, tree, wood, turning, body, ground);
   return body;
+}
+
+}  // namespace
+
+Fall hinge_of(const Standing& now, const GrownTree& tree, const GroundHeight& ground) {
+  assert(now.size() > 1);
+  const CutFace cut = cut_of(now, tree);
+  const Vec3 foot = now.tip[0], toward = tree.uprooting.toward;
+  double far = std::max((tree.uprooting.felled ? 1 : kRootPlate) * now.radius[1], 0.05f);
+  auto slope = [&](double x, double z) {
+    return static_cast<float>((ground(foot.x + x, foot.z + z) - ground(foot.x - x, foot.z - z)) / (2 * far));
+  };
+  Vec3 normal = glm::normalize(Vec3(-slope(far, 0), 1, -slope(0, far)));
+  Vec3 along = glm::normalize(toward - normal * glm::dot(toward, normal));
+  Fall fall;
+  fall.hinge = cut.at + along * static_cast<float>(far);
+  fall.axis = glm::cross(normal, along);
+  return fall;
 }
 
 Fall fall_of(const Standing& now, const GrownTree& tree, const Species& species, const GroundHeight& ground) {

@@ -14,13 +14,6 @@ inline constexpr float kRootPlate = 5;
 /// the ground there: the fall without its course.
 Fall hinge_of(const Standing& now, const GrownTree& tree, const GroundHeight& ground);
 
-/// The tree as a body that turns about that hinge. It stops at the first limb or piece of the stem that meets
-/// the ground and bears the load; those that do not bear it break, and lie on the ground. The load is the
-/// force that the ground must give there to hold the tree, twice, as for any load that is put on suddenly.
-/// The mass is that of the wood and leaves, without the root plate.
-Overturning overturning_of(const Standing& now, const GrownTree& tree, const Species& species,
-                           const Fall& hinge, const GroundHeight& ground);
-
 /// All of the fall of a tree that is uprooted, which stands as `now` when it begins. Its start is 0.
 Fall fall_of(const Standing& now, const GrownTree& tree, const Species& species, const GroundHeight& ground);
 

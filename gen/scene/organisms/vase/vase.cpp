@@ -18,18 +18,8 @@ Material material_of(const VaseParams& params, double height, Seed seed) {
                  std::min(1.0f, c.blue * brighter)};
   };
   Material material;
-  switch (params.material) {
-    case VaseMaterial::ceramic:
-      material.matter = Matter::ceramic;
-      break;
-    case VaseMaterial::terracotta:
-      material.matter = Matter::terracotta;
-      break;
-    case VaseMaterial::glass:
-      material.matter = Matter::glass;
-      break;
-  }
-  material.color = params.material == VaseMaterial::glass ? params.color : lit(params.color);
+  material.matter = params.material;
+  material.color = params.material == Matter::glass ? params.color : lit(params.color);
   material.second = lit(params.second);
   material.scale = height;
   material.relief = params.crackle;
@@ -64,10 +54,10 @@ Result<Model> grow_vase(const VaseParams& params, Seed seed) {
   return model;
 }
 
-inline constexpr Choice<VaseMaterial> kVaseMaterials[] = {
-    {"ceramic", VaseMaterial::ceramic, "glazed"},
-    {"terracotta", VaseMaterial::terracotta, "bare fired clay"},
-    {"glass", VaseMaterial::glass, "clear, with the colour of its thickness"}};
+inline constexpr Choice<Matter> kVaseMaterials[] = {
+    {"ceramic", Matter::ceramic, "glazed"},
+    {"terracotta", Matter::terracotta, "bare fired clay"},
+    {"glass", Matter::glass, "clear, with the colour of its thickness"}};
 
 inline constexpr Choice<VaseForm> kVaseForms[] = {
     {"either", VaseForm::either,

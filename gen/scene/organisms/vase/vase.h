@@ -8,8 +8,6 @@
 
 namespace frond {
 
-enum class VaseMaterial { ceramic, terracotta, glass };
-
 /// How a vessel is passed to the renderer.
 enum class VaseForm {
   either,  ///< as a surface of revolution if exact, otherwise a mesh
@@ -20,7 +18,7 @@ enum class VaseForm {
 /// A vase, a bowl or a pot.
 struct VaseParams {
   VesselShape shape;
-  VaseMaterial material = VaseMaterial::ceramic;
+  Matter material = Matter::ceramic;  ///< ceramic, terracotta or glass
   Color color{0.62f, 0.72f, 0.64f};   ///< of glaze, clay or glass
   Color second{0.52f, 0.40f, 0.30f};  ///< of the bare clay, and of efflorescence on it
   double crackle = 0.5;               ///< 0 an even glaze .. 1 with cracks, spots and runs; roughness of clay

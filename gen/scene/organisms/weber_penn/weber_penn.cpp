@@ -8,7 +8,6 @@
 #include "appearance/describe.h"
 #include "appearance/picture_bounds.h"
 #include "crown/arbaro.h"
-#include "organisms/crown_leaves.h"
 #include "organisms/kinds.h"
 
 namespace frond {
@@ -38,7 +37,8 @@ Result<Model> grow_weber_penn_tree(const WeberPennParams& params, Seed seed, con
   return model;
 }
 
-Errors load_species(const NamedFile& file, WeberPenn& tree) {
+/// Loads the parameters of an Arbaro file in place of a tree's own.
+static Errors load_species(const NamedFile& file, WeberPenn& tree) {
   Result<ArbaroSpecies> species = read_arbaro(file.text, file.path.string());
   if (!species) return species.errors();
   tree = species->tree;

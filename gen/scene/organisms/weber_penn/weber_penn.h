@@ -20,7 +20,4 @@ struct WeberPennParams {
 /// One tree, its foot at the origin, round what is in its way.
 Result<Model> grow_weber_penn_tree(const WeberPennParams& params, Seed seed, const Detour& detour = {});
 
-/// Loads the parameters of an Arbaro file in place of a tree's own.
-Errors load_species(const NamedFile& file, WeberPenn& tree);
-
 }  // namespace frond
