@@ -1,4 +1,4 @@
-#include "scene/season.h"
+#include "scene/scene.h"
 
 #include <gtest/gtest.h>
 

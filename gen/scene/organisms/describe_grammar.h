@@ -18,9 +18,6 @@ void describe_rest(KeyWriter& v, GuidePoint& p);
 /// its main way first; which of them it is counts by what it holds.
 Result<GuideLines> read_guide_file(const NamedFile& file);
 
-/// Reads the lines of a guide's file.
-Errors load_guide(const NamedFile& file, GuideText& guide);
-
 /// Reads a line of points: each is [x, y, z], or an object with further values and `children`, the side lines
 /// that start there. Points are appended; the parent of each is the one before it in its line.
 bool read_guide_line(Reader& reader, const Value& value, std::vector<GuidePoint>& points);

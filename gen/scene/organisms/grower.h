@@ -80,9 +80,10 @@ struct Bed {
 
 /// Predicted size of one organism, within about a factor of two.
 struct SizeEstimate {
-  Forecast word;                 ///< of its grammar
-  double nodes = 0;              ///< of its skeleton
-  std::optional<double> chains;  ///< chains per node of the skeleton, if known; short chains need more text
+  Forecast word = {};  ///< of its grammar
+  double nodes = 0;    ///< of its skeleton
+  std::optional<double> chains =
+      {};  ///< chains per node of the skeleton, if known; short chains need more text
   double organs = 0;
   double parts = 0;             ///< number of placements of all parts of its organs
   double corners = 0;           ///< of the turtle's outlines

@@ -1,5 +1,3 @@
-#include "scene/on_bodies.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,11 +1,10 @@
-#include "scene/season.h"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
 #include "core/curve.h"
 #include "scene/entry_seeds.h"
+#include "scene/sowing.h"
 
 namespace frond {
 

@@ -12,7 +12,7 @@
 #include "core/parallel.h"
 #include "organisms/describe.h"
 #include "organisms/kinds.h"
-#include "scene/on_bodies.h"
+#include "scene/sowing.h"
 #include "scene/specimen_cache.h"
 
 namespace frond {

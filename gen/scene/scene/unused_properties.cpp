@@ -136,11 +136,8 @@ class Finder {
   }
 
   void note(const Value& value, const std::string& pointer, std::string_view why) {
-    if (own(value)) add({value.origin, pointer, fmt::format("does nothing here: {}", why)});
+    if (own(value)) notes_.add({value.origin, pointer, fmt::format("does nothing here: {}", why)});
   }
-
-  /// What the defaults say is said once.
-  void add(Fault fault) { notes_.add(std::move(fault)); }
 
   /// A block of parameters of the scene, or what of it the setting does not heed. Where the setting comes
   /// from the command line (`set`), what the file has for its own setting is left out.
@@ -196,9 +193,9 @@ class Finder {
     if (!at(written, "/food/stretch")) note_motion(written, pointer, "food", "strength");
     const Value* strength = at(written, "/food/strength");
     if (strength && strength->number > 0 && strength->number <= kRadians)
-      add({strength->origin, pointer + "/food/strength",
-           fmt::format("is an angle in degrees; {:g} radians would be {:.6g}", strength->number,
-                       degrees(strength->number))});
+      notes_.add({strength->origin, pointer + "/food/strength",
+                  fmt::format("is an angle in degrees; {:g} radians would be {:.6g}", strength->number,
+                              degrees(strength->number))});
   }
 
   /// How branches are drawn, where there are none.
@@ -223,7 +220,7 @@ class Finder {
   const Preset& preset_;
   const std::string& file_name_;
   bool rocks_ = settings()[preset_.setup.setting].answers.extent(preset_.setup).rocks;
-  Faults notes_;
+  Faults notes_;  // what the defaults say is said once
 };
 
 }  // namespace

@@ -146,10 +146,9 @@ class BridgeGrower final : public Described<BridgeParams, BodyBuilder> {
   Result<SizeEstimate> estimate_size(Seed) const override {
     constexpr double kStoneTriangles = 2.2e5, kPieceTriangles = 260;  // of a whole bridge; of a piece of wood
     const BridgeShape& b = params.shape;
-    SizeEstimate bridge;
-    bridge.blocks = b.length / (b.plank + b.gap) + 4.0 * b.posts * (2 + b.balusters);
-    bridge.triangles = b.style == BridgeStyle::stone ? kStoneTriangles : kPieceTriangles * bridge.blocks;
-    return bridge;
+    double pieces = b.length / (b.plank + b.gap) + 4.0 * b.posts * (2 + b.balusters);
+    double triangles = b.style == BridgeStyle::stone ? kStoneTriangles : kPieceTriangles * pieces;
+    return SizeEstimate{.triangles = triangles, .blocks = pieces};
   }
   Result<Model> grow_alone(Seed seed) const override { return grow_bridge(params, seed); }
 };

@@ -43,10 +43,8 @@ class ColumnGrower final : public Described<ColumnParams, BodyBuilder> {
 
   Review review() const override { return {}; }
   Result<SizeEstimate> estimate_size(Seed) const override {
-    SizeEstimate column;
     constexpr double kBroken = 23e3, kWhole = 39e3;
-    column.triangles = params.shape.broken > 0 ? kBroken : kWhole;
-    return column;
+    return SizeEstimate{.triangles = params.shape.broken > 0 ? kBroken : kWhole};
   }
   Result<Model> grow_alone(Seed) const override { return build_column_model(params); }
 };

@@ -39,11 +39,8 @@ class FanGrower final : public Described<FanParams, ColonyGrower> {
   Result<SizeEstimate> estimate_size(Seed) const override {
     constexpr double kFilled = 0.85;      // of the rectangle round it
     constexpr double kPlaceArea = 0.866;  // of a place of the net, in squares of the mesh: sqrt(3) / 2
-    SizeEstimate sight;
     double places = kFilled * params.across * params.height / (kPlaceArea * params.mesh * params.mesh);
-    sight.nodes = places * (1 + params.links);
-    sight.riding = true;
-    return sight;
+    return SizeEstimate{.nodes = places * (1 + params.links), .riding = true};
   }
   GrowerTraits traits() const override { return colony({.branches = true, .tallest = 1.1 * params.height}); }
   Appearance appearance() const override {

@@ -242,13 +242,10 @@ class IvyGrower final : public Described<IvyParams, BedGrower> {
     double steps = length / crawl.speed, branches = crawl.branch_depth > 0 ? length / crawl.branch_every : 0;
     constexpr double kShapeTriangles = 9000;  // of all shapes of leaves, or of a beetle's
     constexpr double kStepBytes = 80;         // of a path
+    if (!crawl.trace)
+      return SizeEstimate{
+          .organs = 1, .parts = 1, .shapes = kShapeTriangles, .held = painted + kStepBytes * steps};
     SizeEstimate ivy;
-    if (!crawl.trace) {
-      ivy.organs = ivy.parts = 1;
-      ivy.shapes = kShapeTriangles;
-      ivy.held = painted + kStepBytes * steps;
-      return ivy;
-    }
     ivy.nodes = std::min(steps * (1 + 1.5 * branches), static_cast<double>(crawl.most_nodes));
     ivy.organs = ivy.parts = 0.5 * ivy.nodes * crawl.speed / std::max(params.leaves.spacing, 1e-3);
     ivy.shapes = kShapeTriangles;

@@ -71,10 +71,8 @@ class MeshGrower final : public Described<MeshParams, BodyBuilder> {
     return appearance;
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
-    SizeEstimate mesh;
-    mesh.triangles = params.body ? static_cast<double>(params.body->cut.surface.triangle.size()) : 0;
-    mesh.blocks = 1;
-    return mesh;
+    std::size_t triangles = params.body ? params.body->cut.surface.triangle.size() : 0;
+    return SizeEstimate{.triangles = static_cast<double>(triangles), .blocks = 1};
   }
   Result<Model> grow_alone(Seed) const override { return build_mesh_model(params); }
 

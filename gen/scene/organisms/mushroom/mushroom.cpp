@@ -126,13 +126,12 @@ class MushroomGrower final : public BodyColony<MushroomGrower, MushroomParams, g
   Review review() const override { return {}; }
   Result<SizeEstimate> estimate_size(Seed) const override {
     constexpr double kTriangleSeconds = 2e-6;
-    SizeEstimate sight;
-    sight.triangles = 2.0 * (kMushroomRings + 2) * params.septa * (kSeptaInAll * kSeptumParts / 2);
-    sight.area = 2 * params.across * params.across * params.oval;
-    sight.blocks = 1;
-    sight.seconds = kTriangleSeconds * sight.triangles;
-    sight.held = kPastTriangle * sight.triangles;
-    return sight;
+    double triangles = 2.0 * (kMushroomRings + 2) * params.septa * (kSeptaInAll * kSeptumParts / 2);
+    return SizeEstimate{.triangles = triangles,
+                        .area = 2 * params.across * params.across * params.oval,
+                        .blocks = 1,
+                        .seconds = kTriangleSeconds * triangles,
+                        .held = kPastTriangle * triangles};
   }
 };
 

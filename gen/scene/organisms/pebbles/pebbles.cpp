@@ -108,10 +108,8 @@ class PebblesGrower final : public Described<PebblesParams, BodyBuilder> {
   Appearance appearance() const override { return stone_appearance(params.stone); }
   GrowerTraits traits() const override { return {.stands_on_rock = false}; }
   Result<SizeEstimate> estimate_size(Seed) const override {
-    SizeEstimate field;
-    field.triangles = params.shapes * estimate_triangles(params.shape);
-    field.blocks = params.number;
-    return field;
+    return SizeEstimate{.triangles = params.shapes * estimate_triangles(params.shape),
+                        .blocks = static_cast<double>(params.number)};
   }
   Result<Model> grow_alone(Seed seed) const override { return build_pebbles(params, seed); }
 };

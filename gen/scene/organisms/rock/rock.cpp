@@ -65,10 +65,7 @@ class RockGrower final : public Described<RockParams, BodyBuilder> {
   }
   GrowerTraits traits() const override { return {.stands_on_rock = false}; }
   Result<SizeEstimate> estimate_size(Seed) const override {
-    SizeEstimate rock;
-    rock.triangles = params.native ? 0 : estimate_triangles(params.shape);
-    rock.blocks = 1;
-    return rock;
+    return SizeEstimate{.triangles = params.native ? 0 : estimate_triangles(params.shape), .blocks = 1};
   }
   Result<Model> grow_alone(Seed seed) const override { return build_rock(params, seed); }
 };

@@ -77,10 +77,7 @@ class School final : public Described<SchoolParams, BedGrower> {
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
     constexpr double kFishTriangles = 900;
-    SizeEstimate fish;
-    fish.organs = fish.parts = 1;
-    fish.shapes = kTailPhases * kTailBends * kFishTriangles;
-    return fish;
+    return SizeEstimate{.organs = 1, .parts = 1, .shapes = kTailPhases * kTailBends * kFishTriangles};
   }
   Appearance appearance() const override {
     Appearance appearance;

@@ -117,11 +117,9 @@ class ShellGrower final : public Described<ShellParams, ColonyGrower> {
                    [&](ShellParams& p) { p.detail = std::max(share * p.detail, std::min(p.detail, 5e3)); });
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
-    SizeEstimate sight;
-    sight.triangles =
+    double triangles =
         params.detail * (params.form == ShellForm::bivalve ? 2 : 1) + (params.mantle ? 52000 : 0);
-    sight.blocks = params.mantle ? 2 : 1;
-    return sight;
+    return SizeEstimate{.triangles = triangles, .blocks = params.mantle ? 2.0 : 1.0};
   }
   Appearance appearance() const override {
     Appearance appearance;

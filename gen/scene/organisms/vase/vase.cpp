@@ -126,11 +126,8 @@ class VaseGrower final : public Described<VaseParams, BodyBuilder> {
     return {profile ? Errors{} : profile.errors()};
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
-    SizeEstimate vase;
     constexpr double kTriangles = 4.4;  // a side of a ring: 2 outside, 2 inside, and what lip and foot have
-    vase.triangles = kTriangles * params.shape.sides * params.shape.rings;
-    vase.blocks = 1;
-    return vase;
+    return SizeEstimate{.triangles = kTriangles * params.shape.sides * params.shape.rings, .blocks = 1};
   }
   Result<Model> grow_alone(Seed seed) const override { return grow_vase(params, seed); }
 };

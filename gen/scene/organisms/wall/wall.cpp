@@ -173,10 +173,8 @@ class WallGrower final : public Described<WallParams, BodyBuilder> {
   Result<SizeEstimate> estimate_size(Seed) const override {
     constexpr double kBlockTriangles = 18'000;  // of all shapes of blocks together
     const WallShape& w = params.shape;
-    SizeEstimate wall;
-    wall.blocks = w.width * w.height / ((w.brick.x + w.joint) * (w.brick.y + w.joint));
-    wall.triangles = kBlockTriangles;
-    return wall;
+    return SizeEstimate{.triangles = kBlockTriangles,
+                        .blocks = w.width * w.height / ((w.brick.x + w.joint) * (w.brick.y + w.joint))};
   }
   Result<Model> grow_alone(Seed seed) const override { return build_wall_model(params, seed); }
   Result<Model> grow_standing(const World& world, const Planting& planting, const Placement&,

@@ -37,14 +37,6 @@ Result<Model> grow_weber_penn_tree(const WeberPennParams& params, Seed seed, con
   return model;
 }
 
-/// Loads the parameters of an Arbaro file in place of a tree's own.
-static Errors load_species(const NamedFile& file, WeberPenn& tree) {
-  Result<ArbaroSpecies> species = read_arbaro(file.text, file.path.string());
-  if (!species) return species.errors();
-  tree = species->tree;
-  return {};
-}
-
 inline constexpr Choice<CrownShape> kCrownShapes[] = {
     {"conical", CrownShape::conical, "long branches below"},
     {"spherical", CrownShape::spherical, "long branches in the middle"},
@@ -163,7 +155,13 @@ void describe(Properties& v, WeberPennParams& p) {
            "Lines that the first trunk follows, its forks as clones that split off, from the foot; what "
            "hangs off them grows by the kind's own laws");
   v.file(
-      "arbaro", p.arbaro, [&](const NamedFile& file) { return load_species(file, p.tree); },
+      "arbaro", p.arbaro,
+      [&](const NamedFile& file) -> Errors {
+        Result<ArbaroSpecies> species = read_arbaro(file.text, file.path.string());
+        if (!species) return species.errors();
+        p.tree = species->tree;
+        return {};
+      },
       "An XML file of Arbaro, named as seen from the preset's folder, in place of tree");
   describe(v, p.appearance);
 }
