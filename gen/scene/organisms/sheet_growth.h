@@ -11,15 +11,9 @@ namespace frond {
 /// The room left for sheets by the colony's surroundings, which must outlive it.
 MarginWorld margin_world(const Surroundings& around);
 
-/// Half of the thickness, from `young` to `old` with age.
-std::function<float(std::uint32_t, float)> half_thickness(double young, double old);
-
 /// A ring, or an arc of one, about a middle: `turn` is the direction of the arc's middle, `arc` its angle,
 /// radians; it grows outward, `pitch` radians above the horizon.
 MarginStart ring_start(Vec3 middle, double radius, double turn, double arc, double pitch, double edge);
-
-/// A stalk that widens at its foot, with the past of its growth.
-SheetBody stalk_body(double foot, double top, double height, Seed seed);
 
 /// Adds a body to another.
 void append(SheetBody& to, const SheetBody& more);

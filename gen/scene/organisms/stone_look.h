@@ -6,7 +6,6 @@
 #include "core/mask.h"
 #include "core/result.h"
 #include "core/seed.h"
-#include "model/model.h"
 #include "preset/describe.h"
 #include "rocks/rock.h"
 

@@ -1,7 +1,5 @@
 #include "scene/camera.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 

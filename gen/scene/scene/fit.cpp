@@ -5,8 +5,6 @@
 #include <limits>
 #include <set>
 
-#include "scene/camera.h"
-
 namespace frond {
 
 namespace {

@@ -6,7 +6,6 @@
 
 #include "organisms/grammar_faults.h"
 #include "plan/layout.h"
-#include "preset/json.h"
 #include "scene/entry_seeds.h"
 #include "settings/garden.h"
 

@@ -8,7 +8,6 @@
 #include "preset/fault.h"
 #include "preset/json.h"
 #include "preset/merge.h"
-#include "preset/override.h"
 #include "preset/palettes.h"
 #include "preset/reader.h"
 #include "scene/describe.h"

@@ -194,16 +194,13 @@ void check_bounds(const Preset& preset, Faults& faults) {
 }
 
 /// What no picture can be made of although each value is one that may be.
-void check_setup(const SceneSetup& setup, const Value& root, Faults& faults) {
-  auto fault = [&](const char* pointer, const char* what) {
-    faults.add({origin_at(root, pointer), pointer, what});
-  };
-  std::vector<double> times;
-  for (const auto& key : setup.camera.location.keys()) times.push_back(key.time);
-  for (const auto& key : setup.camera.look_at.keys()) times.push_back(key.time);
-  for (double time : times)
-    if (glm::distance(setup.camera.location.at(time), setup.camera.look_at.at(time)) < 1e-4f)
-      return fault("/scene/camera/look_at", "is where the camera stands; expected another place to look at");
+void check_setup(const Camera& camera, const Value& root, Faults& faults) {
+  const std::string pointer = "/scene/camera/look_at";
+  for (const auto* path : {&camera.location, &camera.look_at})
+    for (const auto& key : path->keys())
+      if (glm::distance(camera.location.at(key.time), camera.look_at.at(key.time)) < 1e-4f)
+        return faults.add({origin_at(root, pointer), pointer,
+                           "is where the camera stands; expected another place to look at"});
 }
 
 /// The time of the year that the scene tells is that of all seasons that have none of their own.
@@ -221,7 +218,6 @@ void pass_on_year(Value& root) {
 
 /// The time of the last frame of a film that is not read yet, seconds; 0 of a still and where it is wrong.
 double last_frame(const Value& root) {
-  Film film;
   Value own = make_object();
   if (const Value* written = root.find("film")) own = *written;
   Preset preset;
@@ -316,7 +312,7 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   }
   check_hosts(*preset, faults);
   check_bounds(*preset, faults);
-  check_setup(preset->setup, document->root, faults);
+  check_setup(preset->setup.camera, document->root, faults);
   check_named(*preset, document->root, faults);
   if (!faults.list().empty()) return faults.errors();
   preset->notes = warnings.errors();

@@ -1,7 +1,5 @@
 #include "scene/rain.h"
 
-#include <algorithm>
-
 #include "core/parallel.h"
 #include "land/puddles.h"
 #include "scene/camera.h"

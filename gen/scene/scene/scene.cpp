@@ -6,13 +6,11 @@
 #include <cassert>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <utility>
 
 #include "appearance/mask_drawing.h"
 #include "core/cancellation.h"
 #include "organisms/kinds.h"
-#include "preset/json.h"
 #include "scene/bounds.h"
 #include "scene/camera.h"
 #include "scene/entry_seeds.h"
@@ -117,16 +115,16 @@ Surface strewn_surface(const Grounds& ground) {
 }
 
 /// The phase "grow".
-Result<GrownStages> grow_in(World& world, const Preset& preset, const std::vector<Bed>& beds,
-                            const Grounds& ground, const ProgressSink& watch, SpecimenCache* cache,
-                            const EntryFilter& only) {
+Result<CacheUse> grow_in(World& world, const Preset& preset, const std::vector<Bed>& beds,
+                         const Grounds& ground, const ProgressSink& watch, SpecimenCache* cache,
+                         const EntryFilter& only, std::vector<std::string>& notes) {
   std::size_t steps = 0;
   for (const Bed& bed : beds) steps += steps_of(bed);
   watch.begin("grow", steps);
   bool swims =
       std::ranges::any_of(beds, [](const Bed& bed) { return bed.organism->grower->traits().swims(); });
   if (swims) world.lay(strewn_surface(ground));
-  return grow_stages(preset, beds, ground.floor(), watch, cache, only, world);
+  return grow_stages(preset, beds, ground.floor(), watch, cache, only, world, notes);
 }
 
 Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, SpecimenCache* cache,
@@ -143,6 +141,97 @@ Result<Scene> build_wider(const Preset& preset, Camera camera, std::vector<std::
   for (std::size_t entry : scene->grown)
     if (std::ranges::find(before, entry) == before.end()) before.push_back(entry);
   scene->grown = std::move(before);
+  return scene;
+}
+
+Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, SpecimenCache* cache,
+                        const EntryFilter& only) {
+  // What has grown may be needed once more, see below.
+  const std::vector<std::string> subjects = preset.setup.camera.subjects();
+  if (SpecimenCache own; !cache && !subjects.empty()) return build_all(preset, watch, &own, {});
+  Seed seed{preset.seed};
+  Scene scene;
+  scene.film = preset.film;
+  scene.setup = preset.setup;
+  scene.seed = seed;
+
+  const SettingAnswers& setting = settings()[preset.setup.setting].answers;
+  watch.begin("place", 3);
+  std::unique_ptr<Grounds> ground = setting.lay(preset.setup, preset.film, reach_of(preset), seed);
+  if (preset.setup.camera.follow) scene.setup.camera = over_ground(preset.setup.camera, ground->heights());
+  watch.step();
+  TakenSpots taken;
+  std::vector<PlacedEntry> plots = find_places(preset, setting.extent(preset.setup), taken, scene.notes);
+  watch.step();
+  ground->strew(taken);
+  sow_copies(scene, preset, *ground, taken.list());
+  if (preset.stand) add_stand(scene, preset, *ground, stand_history(preset, *ground));
+  std::vector<Bed> beds = set_feet(preset, std::move(plots), *ground);
+  watch.step();
+
+  World world(seed, ground->heights(), preset.film.length(), preset.film.frames > 1, std::move(taken));
+  std::optional<Vec3> storms_toward;
+  if (const auto& wind = preset.setup.wind) storms_toward = wind_field(*wind, 0, seed).along;
+  world.schedule(preset.events, storms_toward);
+  world.add(ground->furnishings());
+  std::vector<std::string> notes;
+  Result<CacheUse> grown = grow_in(world, preset, beds, *ground, watch, cache, only, notes);
+  if (!grown) return grown.errors();
+  static_cast<CacheUse&>(scene) = std::move(*grown);
+  if (scene.missing.empty())
+    if (Errors errors = sow_on_bodies(scene, preset, world); !errors.empty()) return errors;
+  set_copy_lifetimes(scene, preset);
+  std::ranges::move(notes, std::back_inserter(scene.notes));
+
+  scene.specimens = in_order(std::move(world).release(), preset);
+  shade(scene.specimens);
+  if (preset.film.frames > 1) feed(scene.specimens, preset.film.length());
+  add_wind(scene, preset);
+  if (!subjects.empty() && scene.missing.empty()) {
+    Camera moved = fitted(scene.setup.camera, outside_of(scene, subjects), preset.film.aspect(),
+                          ground->heights(), daylight_of(setup_at(scene.setup, 0)).sun);
+    // Land is laid as far as the camera goes: where it has to step back from all that, once more with that in
+    // mind.
+    if (reach_of(moved) > reach_of(preset)) {
+      std::vector<std::size_t> before = std::move(scene.grown);
+      scene = {};  // its specimens are in the cache
+      return build_wider(preset, std::move(moved), std::move(before), watch, cache, only);
+    }
+    scene.setup.camera = std::move(moved);
+  }
+  watch.begin("surround", 5);
+  ground->lay_litter(scene.setup.camera);
+  watch.step();
+  if (is_snowy(scene.setup) || is_rainy(scene.setup))
+    scene.overhead = std::make_shared<const CoverGrid>(bodies_overhead(scene));
+  std::optional<Specimen> snow = lying_snow(scene, *ground, seed.child("snow"));
+  watch.step();
+  if (is_snowy(scene.setup)) load_boughs(scene, preset);
+  watch.step();
+  std::optional<Specimen> water = standing_water(scene, *ground);
+  watch.step();
+  scene.ground = std::move(ground);
+  if (std::optional<DistantTerrain> far = far_land_round(scene, seed.child("far"))) {
+    plant_far_trees(scene, preset, *far, seed.child("far trees"));
+    scene.far = std::make_shared<const DistantTerrain>(std::move(*far));
+  }
+  watch.step();
+  note_camera(scene, preset);
+  note_growth(scene, preset);
+  for (const Organism& organism : preset.organisms)
+    if (organism.count > 0 || (organism.sown && (preset.stand || preset.setup.far))) {
+      Look look = organism.grower->appearance().look;
+      add_other_barks(look.branches, organism.edits);
+      std::ranges::move(drawings(look), std::back_inserter(scene.drawings));
+    }
+  if (const Mask& grass = scene.setup.block<Meadow>().lawn.map; !grass.empty())
+    scene.drawings.push_back(mask_drawing(grass));
+  if (Errors errors = resolve_styles(scene, preset); !errors.empty()) return errors;
+  note_fit(scene);
+  for (Specimen& s : scene.specimens) s.snowy = is_snowy(scene.setup), s.wet = is_rainy(scene.setup);
+  if (snow) scene.specimens.push_back(std::move(*snow));
+  if (water) scene.specimens.push_back(std::move(*water));
+  assert(scene.find_fault().empty());
   return scene;
 }
 
@@ -205,103 +294,6 @@ std::string Scene::find_fault() const {
   }
   return ground ? ground->floor().find_fault() : "there is no ground";
 }
-
-namespace {
-
-Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, SpecimenCache* cache,
-                        const EntryFilter& only) {
-  // What has grown may be needed once more, see below.
-  const std::vector<std::string> subjects = preset.setup.camera.subjects();
-  if (SpecimenCache own; !cache && !subjects.empty()) return build_all(preset, watch, &own, {});
-  Seed seed{preset.seed};
-  Scene scene;
-  scene.film = preset.film;
-  scene.setup = preset.setup;
-  scene.seed = seed;
-
-  const SettingAnswers& setting = settings()[preset.setup.setting].answers;
-  watch.begin("place", 3);
-  std::unique_ptr<Grounds> ground = setting.lay(preset.setup, preset.film, reach_of(preset), seed);
-  if (preset.setup.camera.follow) scene.setup.camera = over_ground(preset.setup.camera, ground->heights());
-  watch.step();
-  TakenSpots taken;
-  std::vector<PlacedEntry> plots = find_places(preset, setting.extent(preset.setup), taken, scene.notes);
-  watch.step();
-  ground->strew(taken);
-  sow_copies(scene, preset, *ground, taken.list());
-  if (preset.stand) add_stand(scene, preset, *ground, stand_history(preset, *ground));
-  std::vector<Bed> beds = set_feet(preset, std::move(plots), *ground);
-  watch.step();
-
-  World world(seed, ground->heights(), preset.film.length(), preset.film.frames > 1, std::move(taken));
-  std::optional<Vec3> storms_toward;
-  if (const auto& wind = preset.setup.wind) storms_toward = wind_field(*wind, 0, seed).along;
-  world.schedule(preset.events, storms_toward);
-  world.add(ground->furnishings());
-  Result<GrownStages> grown = grow_in(world, preset, beds, *ground, watch, cache, only);
-  if (!grown) return grown.errors();
-  if (grown->missing.empty())
-    if (Errors errors = sow_on_bodies(scene, preset, world); !errors.empty()) return errors;
-  set_copy_lifetimes(scene, preset);
-  scene.grown = std::move(grown->entries);
-  scene.origins = std::move(grown->origins);
-  scene.cached = std::move(grown->names);
-  scene.missing = std::move(grown->missing);
-  std::ranges::move(grown->notes, std::back_inserter(scene.notes));
-
-  scene.specimens = in_order(std::move(world).release(), preset);
-  shade(scene.specimens);
-  if (preset.film.frames > 1) feed(scene.specimens, preset.film.length());
-  add_wind(scene, preset);
-  if (!subjects.empty() && scene.missing.empty()) {
-    Camera moved = fitted(scene.setup.camera, outside_of(scene, subjects), preset.film.aspect(),
-                          ground->heights(), daylight_of(setup_at(scene.setup, 0)).sun);
-    // Land is laid as far as the camera goes: where it has to step back from all that, once more with that in
-    // mind.
-    if (reach_of(moved) > reach_of(preset)) {
-      std::vector<std::size_t> before = std::move(scene.grown);
-      scene = {};  // its specimens are in the cache
-      return build_wider(preset, std::move(moved), std::move(before), watch, cache, only);
-    }
-    scene.setup.camera = std::move(moved);
-  }
-  watch.begin("surround", 5);
-  ground->lay_litter(scene.setup.camera);
-  watch.step();
-  if (is_snowy(scene.setup) || is_rainy(scene.setup))
-    scene.overhead = std::make_shared<const CoverGrid>(bodies_overhead(scene));
-  std::optional<Specimen> snow = lying_snow(scene, *ground, seed.child("snow"));
-  watch.step();
-  if (is_snowy(scene.setup)) load_boughs(scene, preset);
-  watch.step();
-  std::optional<Specimen> water = standing_water(scene, *ground);
-  watch.step();
-  scene.ground = std::move(ground);
-  if (std::optional<DistantTerrain> far = far_land_round(scene, seed.child("far"))) {
-    plant_far_trees(scene, preset, *far, seed.child("far trees"));
-    scene.far = std::make_shared<const DistantTerrain>(std::move(*far));
-  }
-  watch.step();
-  note_camera(scene, preset);
-  note_growth(scene, preset);
-  for (const Organism& organism : preset.organisms)
-    if (organism.count > 0 || (organism.sown && (preset.stand || preset.setup.far))) {
-      Look look = organism.grower->appearance().look;
-      add_other_barks(look.branches, organism.edits);
-      std::ranges::move(drawings(look), std::back_inserter(scene.drawings));
-    }
-  if (const Mask& grass = scene.setup.block<Meadow>().lawn.map; !grass.empty())
-    scene.drawings.push_back(mask_drawing(grass));
-  if (Errors errors = resolve_styles(scene, preset); !errors.empty()) return errors;
-  note_fit(scene);
-  for (Specimen& s : scene.specimens) s.snowy = is_snowy(scene.setup), s.wet = is_rainy(scene.setup);
-  if (snow) scene.specimens.push_back(std::move(*snow));
-  if (water) scene.specimens.push_back(std::move(*water));
-  assert(scene.find_fault().empty());
-  return scene;
-}
-
-}  // namespace
 
 Result<Scene> build_scene(const Preset& preset, const ProgressSink& watch, SpecimenCache* cache,
                           const EntryFilter& only) {

@@ -65,8 +65,17 @@ struct CopySet {
   }
 };
 
+/// What a cache of specimens had for a scene, and what not.
+struct CacheUse {
+  std::vector<std::size_t> grown;    ///< entries that were not taken from there
+  std::vector<std::string> cached;   ///< what it is called there that stands in the scene
+  std::vector<std::size_t> missing;  ///< entries that were left out, see EntryFilter
+  std::map<std::size_t, std::string>
+      origins;  ///< of entries that stand by themselves or creep, what stands for all that they grew from
+};
+
 /// All that stands before the camera, grown; nothing of it depends on the frame.
-struct Scene {
+struct Scene : CacheUse {
   Film film;
   SceneSetup setup;
   Seed seed;                                  ///< the preset's
@@ -77,12 +86,6 @@ struct Scene {
   std::vector<CopySet> copy_sets;
   std::vector<Drawing> drawings;   ///< pictures that frames name, to be put beside them
   std::vector<std::string> notes;  ///< what the user should know of how it was built
-  // With a cache of specimens:
-  std::vector<std::size_t> grown;    ///< entries that were not taken from there
-  std::vector<std::string> cached;   ///< what it is called there that stands in the scene
-  std::vector<std::size_t> missing;  ///< entries that were left out, see EntryFilter
-  std::map<std::size_t, std::string>
-      origins;  ///< of entries that stand by themselves or creep, what stands for all that they grew from
 
   /// Nodes of all skeletons.
   std::size_t nodes() const;

@@ -32,8 +32,8 @@ std::string dates_text(const Preset& preset) {
 class SceneBuilder {
  public:
   SceneBuilder(const Preset& preset, const ProgressSink& watch, SpecimenCache* cache, const EntryFilter& only,
-               const Surface& floor)
-      : preset_(preset), watch_(watch), cache_(cache), only_(only) {
+               const Surface& floor, std::vector<std::string>& notes)
+      : preset_(preset), watch_(watch), cache_(cache), only_(only), notes_(notes) {
     if (!cache_) return;
     std::string_view land(reinterpret_cast<const char*>(floor.position.data()),
                           floor.position.size() * sizeof(Vec3));
@@ -51,7 +51,7 @@ class SceneBuilder {
                            [&](const Bed& bed) { return bed.organism->grower->traits().stage == stage; });
       if (leaves_out(stage, growing)) continue;
       if (stage == GrowthStage::in_space) {
-        if (Errors errors = settle_colonies(preset_, growing, world, grown.notes); !errors.empty())
+        if (Errors errors = settle_colonies(preset_, growing, world, notes_); !errors.empty())
           return placed(errors, "");
         for (const Bed& bed : growing)  // those that found no room are done
           for (std::size_t i = bed.plantings.size(); i < steps_of(bed); ++i) watch_.step();
@@ -61,7 +61,7 @@ class SceneBuilder {
     return {};
   }
 
-  GrownStages grown;
+  CacheUse use;
 
  private:
   bool wants(const std::vector<Bed>& beds) const {
@@ -69,7 +69,7 @@ class SceneBuilder {
   }
 
   void leave_out(const std::vector<Bed>& beds) {
-    for (const Bed& bed : beds) grown.missing.push_back(bed.entry);
+    for (const Bed& bed : beds) use.missing.push_back(bed.entry);
   }
 
   /// What stands for a stage that has grown among all that is there now.
@@ -81,7 +81,7 @@ class SceneBuilder {
   /// earlier one are missing, nobody knows what others would stand on.
   bool leaves_out(GrowthStage stage, const std::vector<Bed>& beds) {
     if (!only_ || !cache_ || beds.empty() || stage == GrowthStage::free) return false;
-    if (grown.missing.empty() && (wants(beds) || cache_->find(among(stage)))) return false;
+    if (use.missing.empty() && (wants(beds) || cache_->find(among(stage)))) return false;
     leave_out(beds);
     return true;
   }
@@ -114,11 +114,11 @@ class SceneBuilder {
       if (left_out[g]) leave_out(groups[g]), fresh[g] = false;
       std::ranges::move(specimens[g], std::back_inserter(all));
       for (const Bed& bed : groups[g]) {
-        if (fresh[g]) grown.entries.push_back(bed.entry);
-        if (cache_) grown.origins[bed.entry] = keys[g] + land_;
+        if (fresh[g]) use.grown.push_back(bed.entry);
+        if (cache_) use.origins[bed.entry] = keys[g] + land_;
       }
     }
-    if (cache_) grown.names.insert(grown.names.end(), keys.begin(), keys.end());
+    if (cache_) use.cached.insert(use.cached.end(), keys.begin(), keys.end());
     // What comes later grows among all of these.
     for (const std::string& key : for_others) surroundings_ += key;
     std::ranges::stable_sort(all, {}, &Specimen::entry);
@@ -234,6 +234,7 @@ class SceneBuilder {
   const ProgressSink& watch_;
   SpecimenCache* cache_;
   const EntryFilter& only_;
+  std::vector<std::string>& notes_;
   std::string land_;          // a hash of it
   std::string surroundings_;  // all that organisms grow in so far, but for the land
 };
@@ -247,12 +248,12 @@ std::size_t steps_of(const Bed& bed) {
   return std::max(bed.plantings.size(), to_come);
 }
 
-Result<GrownStages> grow_stages(const Preset& preset, const std::vector<Bed>& beds, const Surface& floor,
-                                const ProgressSink& watch, SpecimenCache* cache, const EntryFilter& only,
-                                World& world) {
-  SceneBuilder builder(preset, watch, cache, only, floor);
+Result<CacheUse> grow_stages(const Preset& preset, const std::vector<Bed>& beds, const Surface& floor,
+                             const ProgressSink& watch, SpecimenCache* cache, const EntryFilter& only,
+                             World& world, std::vector<std::string>& notes) {
+  SceneBuilder builder(preset, watch, cache, only, floor, notes);
   if (Errors errors = builder.grow_all(beds, world); !errors.empty()) return errors;
-  return std::move(builder.grown);
+  return std::move(builder.use);
 }
 
 }  // namespace frond

@@ -7,7 +7,6 @@
 
 #include "core/function_ref.h"
 #include "preset/fault.h"
-#include "preset/json.h"
 #include "preset/manual.h"
 #include "scene/describe.h"
 #include "settings/settings.h"

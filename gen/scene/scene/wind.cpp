@@ -1,7 +1,5 @@
 #include "scene/wind.h"
 
-#include <algorithm>
-
 #include "core/parallel.h"
 
 namespace frond {

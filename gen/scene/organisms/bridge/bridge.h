@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "core/result.h"
 #include "masonry/bridge.h"
 #include "model/model.h"
 

@@ -1,8 +1,5 @@
 #include "organisms/encrusting/encrusting.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "appearance/describe.h"
 #include "core/noise.h"
 #include "organisms/kinds.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "appearance/describe.h"
+#include "core/noise.h"
 #include "organisms/kinds.h"
 #include "organisms/sheet_growth.h"
 
@@ -83,6 +84,53 @@ std::vector<MarginStart> plates(const FolioseParams& params, Seed seed) {
         std::min(1 - starts.back().begins, own.child("reach").range(0.6, 0.8) * kReach.at(share));
   }
   return starts;
+}
+
+/// Half of the thickness, from `young` to `old` with age.
+std::function<float(std::uint32_t, float)> half_thickness(double young, double old) {
+  auto from = static_cast<float>(young / 2), to = static_cast<float>(old / 2);
+  return [=](std::uint32_t, float age) { return from + (to - from) * std::sqrt(std::min(age, 1.0f)); };
+}
+
+/// A stalk that widens at its foot, with the past of its growth.
+SheetBody stalk_body(double foot, double top, double height, Seed seed) {
+  constexpr int kRound = 28, kRings = 18;
+  constexpr double kStalkSunk = 0.02;                                // metres in the ground
+  constexpr double kStalkUneven = 0.25, kStalkLumps = 1.5;           // of its radius; on that of its foot
+  constexpr float kSmallest = 0.04f, kGrows = 0.96f, kGrown = 0.6f;  // of its size, twice; of growth
+  SheetBody body;
+  Vec3 lot(static_cast<float>(seed.child("lot").range(-99, 99)), 0, 0);
+  std::vector<float> birth;
+  for (int j = 0; j <= kRings; ++j)
+    for (int i = 0; i < kRound; ++i) {
+      double share = static_cast<double>(j) / kRings, angle = 2 * kPi * i / kRound;
+      double radius = top + (foot - top) * (1 - share) * (1 - share);
+      if (j == kRings) radius *= 0.5;
+      Vec3 out(static_cast<float>(std::cos(angle)), 0, static_cast<float>(std::sin(angle)));
+      Vec3 at = out * static_cast<float>(radius) +
+                Vec3(0, static_cast<float>((height + kStalkSunk) * share - kStalkSunk), 0);
+      at += out * static_cast<float>(kStalkUneven * radius *
+                                     fractal_noise(at * static_cast<float>(kStalkLumps / foot) + lot, 3));
+      body.surface.position.push_back(at);
+      body.surface.uv.push_back({0.4f, static_cast<float>(0.7 * share)});
+    }
+  auto id = [&](int j, int i) { return static_cast<std::uint32_t>(j * kRound + i % kRound); };
+  for (int j = 0; j < kRings; ++j)
+    for (int i = 0; i < kRound; ++i) {
+      body.surface.triangle.push_back({id(j, i), id(j + 1, i), id(j, i + 1)});
+      body.surface.triangle.push_back({id(j, i + 1), id(j + 1, i), id(j + 1, i + 1)});
+    }
+  for (int i = 1; i + 1 < kRound; ++i) {
+    body.surface.triangle.push_back({id(0, 0), id(0, i), id(0, i + 1)});
+    body.surface.triangle.push_back({id(kRings, 0), id(kRings, i + 1), id(kRings, i)});
+  }
+  set_normals(body.surface);
+  for (int k = 0; k < kSheetSteps; ++k) {
+    float size = kSmallest + kGrows * smooth_step(0.0f, kGrown, static_cast<float>(k) / kSheetSteps);
+    std::vector<Vec3>& then = body.past.emplace_back();
+    for (Vec3 p : body.surface.position) then.push_back(p * size);
+  }
+  return body;
 }
 
 }  // namespace

@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "appearance/appearance.h"
+#include "core/assets.h"
 #include "core/result.h"
 #include "core/seed.h"
 #include "creeping/swing.h"
 #include "creeping/triangle_surface.h"
 #include "model/model.h"
 #include "motion/motion.h"
-#include "organisms/ivy/walkers.h"
 
 namespace frond {
 
@@ -41,6 +41,17 @@ struct IvyLeaves {
   Color bud{0.58f, 0.62f, 0.34f};    ///< initial colour of leaves while they unfold
   Color veins{0.66f, 0.72f, 0.50f};
   double unfold = 0.18;  ///< share of the growth in which a leaf unfolds
+};
+
+/// Bodies that creep over a host and leave nothing behind.
+struct Walkers {
+  FileName file;       ///< of a mesh; empty: a beetle
+  Surface mesh;        ///< content of the file, one unit long, y up; it walks toward +z
+  double size = 0.02;  ///< metres, its length
+  double size_variation = 0.15;
+  std::vector<Color> colors{{0.07f, 0.13f, 0.08f}, {0.16f, 0.05f, 0.03f}, {0.05f, 0.07f, 0.14f}};
+  Color second{0.03f, 0.025f, 0.02f};  ///< of a beetle's legs, head and feelers
+  double gloss = 0.7;
 };
 
 /// Ivy on other bodies.
@@ -79,5 +90,12 @@ Result<Ivy> grow_ivy(const IvyParams& params, const TriangleSurface& host, const
 /// leaves, counting each leaf of a sprig.
 std::size_t add_ivy_leaves(Model& model, const Strands& strands, const IvyLeaves& leaves,
                            const Support& under, Seed seed);
+
+/// Their shapes: a mesh has one, a beetle one for each moment of its gait.
+std::vector<Prototype> walker_prototypes(const Walkers& walkers);
+
+/// Where they are when a share 0..1 of the time has passed in which `paths` were crept: the organs of a
+/// model, one on each path, its upper side along the normal of the surface, turned along its way.
+Organs walkers_at(const Walkers& walkers, const Strands& paths, double share, Seed seed);
 
 }  // namespace frond

@@ -1,9 +1,8 @@
-#include "organisms/ivy/walkers.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "foliage/organ_shapes.h"
+#include "organisms/ivy/ivy.h"
 
 namespace frond {
 

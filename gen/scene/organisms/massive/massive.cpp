@@ -1,7 +1,6 @@
 #include "organisms/massive/massive.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "accretion/reaction.h"
 #include "accretion/refine.h"

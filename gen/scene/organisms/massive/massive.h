@@ -1,6 +1,5 @@
 #pragma once
 
-#include "accretion/accretion.h"
 #include "core/result.h"
 #include "model/model.h"
 #include "motion/motion.h"

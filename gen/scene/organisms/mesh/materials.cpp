@@ -223,27 +223,22 @@ Errors mesh_warnings(const MeshParams& params) {
   auto pictured = +[](const MeshMaterial& m) { return is_pictured(m); };
   auto unread = +[](const MeshMaterial& m) { return m.picture && !is_pictured(m); };
   auto sheer = +[](const MeshMaterial& m) { return m.opacity < kOpaque; };
-  if (std::string list = listed(params, colored); params.own_color && !list.empty())
-    warnings.push_back(
-        {"/color", fmt::format("takes the place of the colours that the file gives its materials {}; "
-                               "without it they have their own",
-                               list)});
-  if (params.own_color) return warnings;
-  if (std::string list = listed(params, pictured); params.own_matter && !list.empty())
-    warnings.push_back(
-        {"/matter", fmt::format("takes the place of the pictures that the file gives its materials {}; "
-                                "without it they wear them",
-                                list)});
-  if (std::string list = listed(params, sheer); params.own_matter && !list.empty())
-    warnings.push_back(
-        {"/matter", fmt::format("is opaque, and the file lets light through its materials {}; without "
-                                "it they do",
-                                list)});
-  if (std::string list = listed(params, unread); !list.empty())
-    warnings.push_back(
-        {"/file", fmt::format("{} has pictures of an unknown kind on its materials {}; expected PNG, JPEG or "
-                              "WebP, and they have one colour now",
-                              params.file.name, list)});
+  auto warn = [&](const char* pointer, auto which, std::string_view before, std::string_view after) {
+    if (std::string list = listed(params, which); !list.empty())
+      warnings.push_back({pointer, fmt::format("{} {}; {}", before, list, after)});
+  };
+  if (params.own_color) {
+    warn("/color", colored, "takes the place of the colours that the file gives its materials",
+         "without it they have their own");
+    return warnings;
+  }
+  if (params.own_matter) {
+    warn("/matter", pictured, "takes the place of the pictures that the file gives its materials",
+         "without it they wear them");
+    warn("/matter", sheer, "is opaque, and the file lets light through its materials", "without it they do");
+  }
+  warn("/file", unread, params.file.name + " has pictures of an unknown kind on its materials",
+       "expected PNG, JPEG or WebP, and they have one colour now");
   if (params.own_matter) return warnings;
   for (const auto& [which, taken] : parts_of(body))
     if (which >= 0 && is_pictured(body.material[static_cast<std::size_t>(which)]) &&

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "cpfg/cpfg.h"
 #include "grammar/figure.h"
 #include "organisms/grower.h"
 #include "organisms/plant/plant.h"

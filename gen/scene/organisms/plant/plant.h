@@ -2,7 +2,6 @@
 
 #include "appearance/appearance.h"
 #include "core/assets.h"
-#include "core/curve.h"
 #include "core/result.h"
 #include "core/seed.h"
 #include "cpfg/cpfg.h"

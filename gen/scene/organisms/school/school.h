@@ -1,8 +1,6 @@
 #pragma once
 
 #include "appearance/fish_look.h"
-#include "core/result.h"
-#include "organisms/grower.h"
 #include "organisms/school/swim.h"
 
 namespace frond {

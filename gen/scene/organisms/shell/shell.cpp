@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/bounds.h"
-#include "core/linear.h"
 #include "organisms/shell/coil.h"
 
 namespace frond {

@@ -5,7 +5,6 @@
 
 #include "appearance/describe.h"
 #include "core/cell_grid.h"
-#include "core/noise.h"
 #include "core/triangle.h"
 #include "organisms/kinds.h"
 #include "organisms/sheet_growth.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "appearance/appearance.h"
 #include "core/assets.h"
 #include "crown/weber_penn.h"
