@@ -93,25 +93,33 @@ void check_organism(const Organism& organism, const Value& written, std::size_t 
   add(warnings, edit_warnings(organism));
 }
 
-/// Why ivy cannot grow on what it names.
-std::string host_fault(const std::string& name, const std::vector<std::string_view>& names) {
-  std::string what = fmt::format("no organism \"{}\" to grow on", name);
-  if (names.empty()) return what + "; expected the \"name\" of another organism, and none here has one";
-  return what + expected_names(name, names);
+/// The names of the organisms that are so.
+template <class Is>
+std::vector<std::string_view> names_of(const Preset& preset, const Is& is) {
+  std::vector<std::string_view> names;
+  for (const Organism& organism : preset.organisms)
+    if (!organism.name.empty() && is(organism)) names.push_back(organism.name);
+  return names;
+}
+
+/// Adds a fault where a name is none of those: `what` is wrong then, and `none` is expected where there are
+/// no names.
+void require_name(const std::vector<std::string_view>& names, const std::string& name, const Value& root,
+                  const std::string& pointer, std::string what, std::string_view none, Faults& faults) {
+  if (std::ranges::find(names, name) != names.end()) return;
+  what += names.empty() ? std::string(none) : expected_names(name, names);
+  faults.add({origin_at(root, pointer), pointer, std::move(what)});
 }
 
 /// What names hosts that are not there, or that are no bodies.
 void check_hosts(const Preset& preset, Faults& faults) {
-  std::vector<std::string_view> names;
-  for (const Organism& organism : preset.organisms)
-    if (!organism.name.empty() && !organism.sown && !organism.grower->traits().creeps())
-      names.push_back(organism.name);
+  auto names = names_of(preset, [](const Organism& o) { return !o.sown && !o.grower->traits().creeps(); });
   for (std::size_t i = 0; i < preset.organisms.size(); ++i) {
     auto require_all = [&](std::string_view pointer, const std::vector<std::string>& hosts) {
       for (std::size_t k = 0; k < hosts.size(); ++k)
-        if (std::ranges::find(names, hosts[k]) == names.end())
-          faults.add(organism_fault(preset.written->find("organisms")->items[i], i,
-                                    fmt::format("{}/{}", pointer, k), host_fault(hosts[k], names)));
+        require_name(names, hosts[k], *preset.written, fmt::format("/organisms/{}{}/{}", i, pointer, k),
+                     fmt::format("no organism \"{}\" to grow on", hosts[k]),
+                     "; expected the \"name\" of another organism, and none here has one", faults);
     };
     const Organism& organism = preset.organisms[i];
     if (const std::vector<std::string>* hosts = organism.grower->traits().hosts) require_all("/on", *hosts);
@@ -122,15 +130,10 @@ void check_hosts(const Preset& preset, Faults& faults) {
 
 /// What the camera is to fit or to focus on, or events concern, and is not there.
 void check_named(const Preset& preset, const Value& root, Faults& faults) {
-  std::vector<std::string_view> names;
-  for (const Organism& organism : preset.organisms)
-    if (!organism.name.empty()) names.push_back(organism.name);
+  auto names = names_of(preset, [](const Organism&) { return true; });
   auto require_one = [&](const std::string& name, const std::string& pointer, std::string_view to) {
-    if (std::ranges::find(names, name) != names.end()) return;
-    std::string what = fmt::format("no organism \"{}\" to {}", name, to);
-    what +=
-        names.empty() ? "; expected the \"name\" of one, and none here has one" : expected_names(name, names);
-    faults.add({origin_at(root, pointer), pointer, std::move(what)});
+    require_name(names, name, root, pointer, fmt::format("no organism \"{}\" to {}", name, to),
+                 "; expected the \"name\" of one, and none here has one", faults);
   };
   for (std::size_t i = 0; i < preset.events.size(); ++i) {
     const Event& event = preset.events[i];
@@ -149,13 +152,9 @@ void check_named(const Preset& preset, const Value& root, Faults& faults) {
 /// An organism that trees are to be drawn as and that is not there, or is not sown.
 void check_drawn_as(const Preset& preset, const std::string& name, const std::string& pointer,
                     Faults& faults) {
-  std::vector<std::string_view> names;
-  for (const Organism& organism : preset.organisms)
-    if (organism.sown && !organism.name.empty()) names.push_back(organism.name);
-  if (std::ranges::find(names, name) != names.end()) return;
-  std::string what = fmt::format("no organism \"{}\" that is sown, to draw these trees as", name);
-  what += names.empty() ? "; expected the \"name\" of one with \"sown\"" : expected_names(name, names);
-  faults.add({origin_at(*preset.written, pointer), pointer, std::move(what)});
+  require_name(names_of(preset, [](const Organism& o) { return o.sown.has_value(); }), name, *preset.written,
+               pointer, fmt::format("no organism \"{}\" that is sown, to draw these trees as", name),
+               "; expected the \"name\" of one with \"sown\"", faults);
 }
 
 void check_stand(const Preset& preset, Faults& faults) {

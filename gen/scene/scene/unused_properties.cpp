@@ -106,11 +106,7 @@ class Finder {
     const Value* setting = scene ? scene->find("setting") : nullptr;
     bool set = setting && setting->origin.line == 0;
     for (const SettingRow& row : settings()) note_block(row.block, set);
-    note_block("floor", set);
-    note_block("snow", set);
-    note_block("rain", set);
-    note_block("air", set);
-    note_block("year", set);
+    for (std::string_view block : {"floor", "snow", "rain", "air", "year"}) note_block(block, set);
     const Value* organisms = preset_.written->find("organisms");
     for (std::size_t i = 0; i < preset_.organisms.size(); ++i)
       note_organism(preset_.organisms[i], organisms->items[i], fmt::format("/organisms/{}", i));

@@ -192,7 +192,7 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
   GrowerTraits traits() const override {
     const GrammarText& text = params.grammar;
     bool placed = !text.guide.empty() || text.axiom.find("@M") != std::string::npos;
-    return {.stage = asks() ? GrowthStage::in_space : GrowthStage::free,
+    return {.stage = asks(text) ? GrowthStage::in_space : GrowthStage::free,
             .branches = true,
             .rebuilt = params.by_steps || params.season ? Rebuilt::always : Rebuilt::never,
             .tallest = params.height,
@@ -256,7 +256,7 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
   Result<Model> grow_alone(Seed seed) const override { return grow_plant(params, seed); }
   Result<Model> grow_standing(const World& world, const Planting& planting, const Placement& placement,
                               Seed seed) const override {
-    if (!asks()) return grow_plant(params, seed);
+    if (!asks(params.grammar)) return grow_plant(params, seed);
     Surroundings around(world, planting.claim, placement);
     return grow_plant(params, seed, 1, environment_of(around, params.food, params.growth));
   }
@@ -268,9 +268,6 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
       return grow_plant(params, seed, share);
     };
   }
-
- private:
-  bool asks() const { return frond::asks(params.grammar); }
 };
 
 }  // namespace

@@ -1,11 +1,10 @@
-#include "organisms/school/clearance.h"
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
 #include "core/parallel.h"
 #include "core/triangle.h"
+#include "organisms/school/swim.h"
 
 namespace frond {
 
