@@ -65,30 +65,6 @@ class ColonyGrower : public LoneGrower {
   }
 };
 
-/// A colony of the kind `Mine` that is a body, as `grow_body` makes it. Its parameters have `across`,
-/// `height` and `growth`; with an `edge`, the length of its triangles' sides, it can be coarser.
-template <class Mine, class Params, Result<Model> (*grow_body)(const Params&, const Surroundings&, Seed)>
-class BodyColony : public Described<Params, ColonyGrower> {
- public:
-  std::shared_ptr<const Grower> coarse(double share) const override {
-    if constexpr (requires(Params p) { p.edge; })
-      return longer_edges(static_cast<const Mine&>(*this), share, [](auto& p) -> double& { return p.edge; });
-    return nullptr;
-  }
-  Result<Model> grow_at(const Surroundings& around, Seed seed) const final {
-    return grow_body(this->params, around, seed);
-  }
-  GrowerTraits traits() const override { return this->colony({.tallest = this->params.height}); }
-  Appearance appearance() const override {
-    Appearance appearance;
-    appearance.motion.growth = this->params.growth;
-    return appearance;
-  }
-  std::optional<Spread> spread() const override {
-    return Spread{static_cast<float>(this->params.across / 2), static_cast<float>(this->params.height)};
-  }
-};
-
 /// Bends branches away from neighbours' territories and existing bodies, and ends those that would enter
 /// them. Segments keep their lengths. Nothing changes where there is room.
 void keep_to_room(Skeleton& skeleton, const Surroundings& around);

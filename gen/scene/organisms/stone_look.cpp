@@ -43,8 +43,7 @@ Color brighter(Color c, double factor) {
 }  // namespace
 
 Material material_of(const StoneLook& look, Seed seed) {
-  const KindRow& row = *std::find_if(std::begin(kKinds), std::end(kKinds),
-                                     [&](const KindRow& r) { return r.kind == look.kind; });
+  const KindRow& row = *std::ranges::find(kKinds, look.kind, &KindRow::kind);
   double light = 1 + look.variation * seed.child("brightness").range(-1, 1);
   Material material{row.matter,
                     brighter(look.color.value_or(row.color), light),

@@ -1,9 +1,8 @@
 #include <algorithm>
 
 #include "appearance/describe.h"
+#include "organisms/body_colony.h"
 #include "organisms/kinds.h"
-#include "organisms/sheet_growth.h"
-#include "organisms/tissue_look.h"
 
 namespace frond {
 

@@ -3,7 +3,6 @@
 #include "appearance/describe.h"
 #include "core/noise.h"
 #include "organisms/kinds.h"
-#include "organisms/sheet_growth.h"
 
 namespace frond {
 

@@ -3,8 +3,7 @@
 #include "core/result.h"
 #include "model/model.h"
 #include "motion/motion.h"
-#include "organisms/colony.h"
-#include "organisms/tissue_look.h"
+#include "organisms/body_colony.h"
 
 namespace frond {
 

@@ -6,7 +6,6 @@
 #include "accretion/refine.h"
 #include "appearance/describe.h"
 #include "organisms/kinds.h"
-#include "organisms/sheet_growth.h"
 
 namespace frond {
 

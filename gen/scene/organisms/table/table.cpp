@@ -7,7 +7,6 @@
 #include "core/cell_grid.h"
 #include "core/triangle.h"
 #include "organisms/kinds.h"
-#include "organisms/sheet_growth.h"
 
 namespace frond {
 
