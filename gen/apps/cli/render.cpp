@@ -16,9 +16,9 @@
 #include "core/parallel.h"
 #include "jobs/jobs.h"
 #include "pipeline/frame_times.h"
+#include "pipeline/out_folder.h"
 #include "pipeline/pace.h"
 #include "pipeline/render_film.h"
-#include "pipeline/run_lock.h"
 #include "preset/json.h"
 #include "render/place.h"
 

@@ -10,7 +10,6 @@
 #include "draw/levels.h"
 #include "draw/solids.h"
 #include "emit/setting.h"
-#include "emit/solid.h"
 #include "estimate/estimate_ground_cost.h"
 #include "estimate/estimate_pictures.h"
 #include "field/volume.h"
@@ -205,7 +204,7 @@ double left_in_shade(const Preset& preset) {
 
 /// What the entries of a preset add up to.
 struct Sums {
-  FilmPart part;
+  FrameRange part;
   CostEstimate f;
   ViewCostEstimate view;
   bool changing = false;
@@ -217,89 +216,82 @@ struct Sums {
   // Names of pictures and models that are counted: several entries may share them.
   std::set<std::string> drawn, grown;
 
-  void add_drawing(const Drawing& drawing, double& memory);
-  void add_pictures(const Look& look);
+  void add_drawing(const Drawing& drawing, double& memory) {
+    if (!drawn.insert(drawing.names.at(0)).second) return;
+    f.shared_bytes += kDrawnBytes * drawing.pixels;
+    f.growth_seconds += drawing.seconds;
+    memory += kHeldPixel * drawing.pixels;
+  }
+
+  void add_pictures(const Look& look) {
+    double memory = 0;
+    for (const Drawing& drawing : drawings(look)) {
+      // A mask is held from when the preset is read, each by itself.
+      if (drawing.names.at(0).starts_with("mask_")) f.scene_memory += kMaskHeld * drawing.pixels;
+      add_drawing(drawing, memory);
+    }
+    growing = std::max(growing, memory);
+  }
+
   void add_sown(const Preset& preset, std::size_t o, const SizeEstimate& size, const Appearance& appearance,
-                double made, double grows);
+                double made, double grows) {
+    const Organism& organism = preset.organisms[o];
+    double trees = trees_of_stand(preset, organism), count = organism.count + trees;
+    double models = 0, model = model_bytes(preset, organism, size, count);
+    for (int m = 0; m < organism.sown->models; ++m) models += grown.insert(copy_id(organism, m)).second;
+    if (trees > 0) models *= kLibrary;
+    f.copies += count, f.crowd += organism.place.on.empty() ? count : 0;
+    f.models += models;
+    f.shared_bytes += models * model;
+    f.growth_seconds += models * (made + model / kModelWritten);
+    view.seconds += models * (made + size.nodes / kNodesPacked + 12 * size.parts / kTrianglesPacked);
+    view.longest = std::max(view.longest, made);
+    // Copies that are too far or out of view are left out.
+    double lines = 0.4 * count * 2.5 * kPlacement;
+    bool sways = (trees > 0 || appearance.motion.wave.amplitude > 0 ||
+                  sown_in_wind(organism, appearance.motion, preset.setup)) &&
+                 preset.film.frames > 1;
+    (sways ? text : still) += lines;
+    f.scene_memory += 40 * count;
+    growing = std::max(growing, grows + 2 * model);
+    if (lines + model > most) most = lines + model, f.largest = o;
+  }
+
   void add_standing(const Preset& preset, std::size_t o, const SizeEstimate& size,
-                    const Appearance& appearance, double made, double held, double grows, Seed seed);
+                    const Appearance& appearance, double made, double held, double grows, Seed seed) {
+    const Organism& organism = preset.organisms[o];
+    const GrowerTraits traits = organism.grower->traits();
+    double count = number_of(organism);
+    bool together = traits.finds_own_place();
+    WoodCostEstimate wood = estimate_wood_cost(organism, size, appearance, seed);
+    double own = wood.bytes + kPlacement * size.parts + kCorner * size.corners;
+    double solid = kTriangle * drawn_triangles(preset, organism, size) + kPlacement * size.blocks;
+    f.organisms += count;
+    f.modules += count * size.word.modules;
+    f.nodes += count * size.nodes;
+    f.organs += count * size.organs;
+    f.scene_memory += count * held + kHeldTriangle * size.shapes;
+    f.frame_memory += count * (traits.develops(preset.film.frames > 1) ? held : 0) + kPosedNode * size.nodes +
+                      kPosedOrgan * size.organs + (wood.bytes > kMovingNode * size.nodes ? own : 0);
+    // A block is one of about so many shapes.
+    constexpr double kBlockShapes = 13;
+    standing += count * size.triangles * std::max(1.0, size.blocks / kBlockShapes);
+    f.ungrown_bytes += count * own * frames_ungrown(preset.film, appearance.motion.growth, part);
+    body_memory = std::max(body_memory, wood.memory);
+    body_seconds += count * wood.seconds;
+    growing = std::max(growing, (together ? count : 1) * grows);
+    text += count * own;
+    still += count * solid;
+    materials += kTriangle * size.shapes;
+    f.growth_seconds += count * made;
+    view.seconds += count * (made + wood.seconds + size.nodes / kNodesPacked + size.organs / kOrgansPacked +
+                             size.triangles / kTrianglesPacked);
+    view.longest = std::max(view.longest, (together ? count : 1) * (made + wood.seconds));
+    if (count * own + solid > most) most = count * own + solid, f.largest = o;
+  }
 };
 
-void Sums::add_drawing(const Drawing& drawing, double& memory) {
-  if (!drawn.insert(drawing.names.at(0)).second) return;
-  f.shared_bytes += kDrawnBytes * drawing.pixels;
-  f.growth_seconds += drawing.seconds;
-  memory += kHeldPixel * drawing.pixels;
-}
-
-void Sums::add_pictures(const Look& look) {
-  double memory = 0;
-  for (const Drawing& drawing : drawings(look)) {
-    // A mask is held from when the preset is read, each by itself.
-    if (drawing.names.at(0).starts_with("mask_")) f.scene_memory += kMaskHeld * drawing.pixels;
-    add_drawing(drawing, memory);
-  }
-  growing = std::max(growing, memory);
-}
-
-void Sums::add_sown(const Preset& preset, std::size_t o, const SizeEstimate& size,
-                    const Appearance& appearance, double made, double grows) {
-  const Organism& organism = preset.organisms[o];
-  double trees = trees_of_stand(preset, organism), count = organism.count + trees;
-  double models = 0, model = model_bytes(preset, organism, size, count);
-  for (int m = 0; m < organism.sown->models; ++m) models += grown.insert(copy_id(organism, m)).second;
-  if (trees > 0) models *= kLibrary;
-  f.copies += count, f.crowd += organism.place.on.empty() ? count : 0;
-  f.models += models;
-  f.shared_bytes += models * model;
-  f.growth_seconds += models * (made + model / kModelWritten);
-  view.seconds += models * (made + size.nodes / kNodesPacked + 12 * size.parts / kTrianglesPacked);
-  view.longest = std::max(view.longest, made);
-  // Copies that are too far or out of view are left out.
-  double lines = 0.4 * count * 2.5 * kPlacement;
-  bool sways = (trees > 0 || appearance.motion.wave.amplitude > 0 ||
-                sown_in_wind(organism, appearance.motion, preset.setup)) &&
-               preset.film.frames > 1;
-  (sways ? text : still) += lines;
-  f.scene_memory += 40 * count;
-  growing = std::max(growing, grows + 2 * model);
-  if (lines + model > most) most = lines + model, f.largest = o;
-}
-
-void Sums::add_standing(const Preset& preset, std::size_t o, const SizeEstimate& size,
-                        const Appearance& appearance, double made, double held, double grows, Seed seed) {
-  const Organism& organism = preset.organisms[o];
-  const GrowerTraits traits = organism.grower->traits();
-  double count = number_of(organism);
-  bool together = traits.finds_own_place();
-  WoodCostEstimate wood = estimate_wood_cost(organism, size, appearance, seed);
-  double own = wood.bytes + kPlacement * size.parts + kCorner * size.corners;
-  double solid = kTriangle * drawn_triangles(preset, organism, size) + kPlacement * size.blocks;
-  f.organisms += count;
-  f.modules += count * size.word.modules;
-  f.nodes += count * size.nodes;
-  f.organs += count * size.organs;
-  f.scene_memory += count * held + kHeldTriangle * size.shapes;
-  f.frame_memory += count * (traits.develops(preset.film.frames > 1) ? held : 0) + kPosedNode * size.nodes +
-                    kPosedOrgan * size.organs + (wood.bytes > kMovingNode * size.nodes ? own : 0);
-  // A block is one of about so many shapes.
-  constexpr double kBlockShapes = 13;
-  standing += count * size.triangles * std::max(1.0, size.blocks / kBlockShapes);
-  f.ungrown_bytes += count * own * frames_ungrown(preset.film, appearance.motion.growth, part);
-  body_memory = std::max(body_memory, wood.memory);
-  body_seconds += count * wood.seconds;
-  growing = std::max(growing, (together ? count : 1) * grows);
-  text += count * own;
-  still += count * solid;
-  materials += kTriangle * size.shapes;
-  f.growth_seconds += count * made;
-  view.seconds += count * (made + wood.seconds + size.nodes / kNodesPacked + size.organs / kOrgansPacked +
-                           size.triangles / kTrianglesPacked);
-  view.longest = std::max(view.longest, (together ? count : 1) * (made + wood.seconds));
-  if (count * own + solid > most) most = count * own + solid, f.largest = o;
-}
-
-Result<Sums> sums_of(const Preset& preset, FilmPart part) {
+Result<Sums> sums_of(const Preset& preset, FrameRange part) {
   Sums sums;
   sums.part = part;
   MaskCostEstimate masks = estimate_masks(preset);
@@ -351,7 +343,7 @@ double CostEstimate::memory(int at_once) const {
 
 double ViewCostEstimate::wait(int threads) const { return std::max(seconds / std::max(1, threads), longest); }
 
-Result<CostEstimate> estimate_cost(const Preset& preset, FilmPart part) {
+Result<CostEstimate> estimate_cost(const Preset& preset, FrameRange part) {
   Result<Sums> sums = sums_of(preset, part);
   if (!sums) return sums.errors();
   CostEstimate& f = sums->f;

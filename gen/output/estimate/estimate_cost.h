@@ -1,10 +1,16 @@
 #pragma once
 
 #include "core/machine.h"
-#include "estimate/estimate_growth.h"
 #include "scene/preset.h"
 
 namespace frond {
+
+/// Frames of a film, from 1 on, with the last.
+struct FrameRange {
+  int first = 1, last = 1;
+
+  int count() const { return last - first + 1; }
+};
 
 /// What it will take to write a film's frames, estimated from the preset: nothing is grown but small samples,
 /// and the ground is laid where it is small. Seconds and memory within about a factor of two, bytes of 1.5.
@@ -49,7 +55,7 @@ struct ViewCostEstimate {
 };
 
 /// The cost of a part of the preset's film. A derivation past its limits is an error.
-Result<CostEstimate> estimate_cost(const Preset& preset, FilmPart part);
+Result<CostEstimate> estimate_cost(const Preset& preset, FrameRange part);
 
 /// The cost of a view of the preset. A derivation past its limits is an error; entries of which there are
 /// none to grow cost nothing.

@@ -1,12 +1,20 @@
 #include "estimate/estimate_pictures.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "settings/forest.h"
 #include "settings/meadow.h"
-#include "settings/settings.h"
 
 namespace frond {
+
+double frames_ungrown(const Film& film, const Growth& growth, FrameRange part) {
+  constexpr double kNodes = 1.5;  // by this power of its growth the nodes of an organism become more
+  double sum = 0;
+  for (int frame = part.first; frame <= part.last && growth.duration > 0; ++frame)
+    sum += 1 - std::pow(std::min(1.0, growth_front(growth, film.time(frame))), kNodes);
+  return sum;
+}
 
 MaskCostEstimate estimate_masks(const Preset& preset) {
   constexpr double kRead = 4;  // of a pixel, of four channels

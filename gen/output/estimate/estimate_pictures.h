@@ -1,8 +1,11 @@
 #pragma once
 
-#include "scene/preset.h"
+#include "estimate/estimate_cost.h"
 
 namespace frond {
+
+/// How many frames' worth of an organism is not drawn in a part of a film, as it has not grown there yet.
+double frames_ungrown(const Film& film, const Growth& growth, FrameRange part);
 
 inline constexpr double kMaskHeld = 4;  ///< bytes of a pixel of a mask
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/result.h"
+#include "estimate/estimate_cost.h"
 #include "settings/scene_setup.h"
 
 namespace frond {
@@ -13,12 +14,6 @@ bool is_resolved(const Film& film, const std::optional<bool>& asked);
 /// What is wrong where frames are asked to be resolved that cannot be.
 Errors refuse_resolving(const Film& film, const std::optional<bool>& asked);
 
-/// Frames of a film, from 1 on.
-struct FrameRange {
-  int first, last;
-
-  int count() const { return last - first + 1; }
-};
 /// A range as in `--frames 5-12` or `--frames 7`, within 1..count.
 Result<FrameRange> read_frames(const std::string& text, int count);
 /// The range that an option gives; where it is not given, the usual frames.

@@ -5,6 +5,8 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <string_view>
 
@@ -12,7 +14,6 @@
 #include "core/frame_name.h"
 #include "core/parallel.h"
 #include "images/whole.h"
-#include "jobs/jobs.h"
 
 namespace frond {
 
@@ -52,15 +53,32 @@ int exposure_of(std::string_view name) {
 FolderInUse::FolderInUse(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);  // where it cannot be made, whoever writes there says so
-  file_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (file_ >= 0) ::flock(file_, LOCK_SH);
+  file_ = Descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (file_) ::flock(*file_, LOCK_SH);
 }
 
-FolderInUse::~FolderInUse() {
-  if (file_ >= 0) ::close(file_);
-}
+bool FolderInUse::by_us_alone() { return file_ && ::flock(*file_, LOCK_EX | LOCK_NB) == 0; }
 
-bool FolderInUse::by_us_alone() { return file_ >= 0 && ::flock(file_, LOCK_EX | LOCK_NB) == 0; }
+RunLock::RunLock(const fs::path& out, RunEvents& events) {
+  std::error_code error;
+  fs::create_directories(out, error);
+  if (error) {
+    errors_ = {{"", out.string() + ": the folder cannot be made"}};
+    return;
+  }
+  fs::path path = out / ".lock";
+  errors_ = refuse_link(path);
+  if (!errors_.empty()) return;
+  file_ = Descriptor(::open(path.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW, 0666));
+  if (!file_) {
+    errors_ = {{"", out.string() + ": cannot be written to"}};
+    return;
+  }
+  if (::flock(*file_, LOCK_EX | LOCK_NB) == 0) return;
+  events.report(fmt::format("Another run is at work in {}; waiting for it", out.string()));
+  while (::flock(*file_, LOCK_EX) != 0 && errno == EINTR) {
+  }
+}
 
 Errors refuse_folder(const fs::path& folder) {
   std::error_code error;

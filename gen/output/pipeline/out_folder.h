@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "core/result.h"
+#include "pipeline/events.h"
 #include "pipeline/frame_range.h"
+#include "render/descriptor.h"
 
 namespace frond {
 
@@ -17,15 +19,26 @@ class FolderInUse {
  public:
   /// Makes the folder where it is not there.
   explicit FolderInUse(const std::filesystem::path& folder);
-  ~FolderInUse();
-  FolderInUse(const FolderInUse&) = delete;
-  FolderInUse& operator=(const FolderInUse&) = delete;
 
   /// Whether no other run is at work in the folder. If so, others wait from now on.
   bool by_us_alone();
 
  private:
-  int file_ = -1;
+  Descriptor file_;
+};
+
+/// Holds the folder of a run as long as it lives; other runs wait. What this process starts holds it, too, so
+/// that a run whose parent was killed is over before the next begins.
+class RunLock {
+ public:
+  /// Makes the folder where it is not there, and waits for its turn.
+  RunLock(const std::filesystem::path& out, RunEvents& events);
+
+  const Errors& errors() const { return errors_; }
+
+ private:
+  Descriptor file_;
+  Errors errors_;
 };
 
 /// Why nothing can be written to a folder, or to a file: a file, folder or permission that prevents it. Empty

@@ -1,12 +1,9 @@
 #include "pipeline/pace.h"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <vector>
@@ -14,6 +11,7 @@
 #include "core/content.h"
 #include "core/files.h"
 #include "core/home.h"
+#include "core/work_folder.h"
 #include "render/process.h"
 
 namespace frond {
@@ -69,19 +67,18 @@ void note_pace(std::string_view key, double estimate, double taken) {
 void measure_machine(const std::string& povray) {
   std::error_code error;
   if (std::filesystem::file_size(pace_file(), error) > 0 && !error) return;
-  std::string folder = (std::filesystem::temp_directory_path(error) / "frond-pace.XXXXXX").string();
-  if (error || !::mkdtemp(folder.data())) return;
+  WorkFolder folder;
+  if (folder.path().empty()) return;
   Command command;
   command.words = {povray, "+Iscene.pov", "+Oscene.png", "+W160", "+H90", "+A0.1",
                    "+AM2", "+R3",         "-J",          "-D",    "+WT1"};
-  command.folder = folder;
+  command.folder = folder.path();
   OutputCapture said;
   command.out = command.err = said.descriptor();
   double before = seconds_of_others();
   bool drawn = !write_new(command.folder / "scene.pov", kSmallScene) && run(command).ok();
   if (drawn && std::filesystem::exists(command.folder / "scene.png", error))
     note_pace(kMachine, kMachineForetold, seconds_of_others() - before);
-  std::filesystem::remove_all(folder, error);
 }
 
 Pace pace_of(std::string_view key) {

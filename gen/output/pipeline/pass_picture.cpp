@@ -15,22 +15,17 @@ namespace {
 /// The channels of a picture, one after the other.
 class Channels {
  public:
-  template <class Value, class Of>
-  void add(const std::string& name, const std::vector<Value>& values, const Of& of) {
-    ExrChannel channel{name, ExrChannel::Kind::single, {}, {}};
-    for (const Value& value : values) channel.values.push_back(of(value));
-    all.push_back(std::move(channel));
+  void add(const std::string& name, std::vector<float> values) {
+    all.push_back({name, ExrChannel::Kind::single, std::move(values), {}});
   }
-  void add(const std::string& name, const std::vector<float>& values) {
-    add(name, values, [](float value) { return value; });
-  }
-  void add(const std::string& name, const std::vector<Vec3>& values) {
-    for (int axis = 0; axis < 3; ++axis)
-      add(name + '.' + "XYZ"[axis], values, [axis](Vec3 value) { return value[axis]; });
-  }
-  void add(const std::string& name, const std::vector<Vec2>& values) {
-    for (int axis = 0; axis < 2; ++axis)
-      add(name + '.' + "uv"[axis], values, [axis](Vec2 value) { return value[axis]; });
+  /// One for each letter, as "normal.X".
+  template <class V>
+  void add(const std::string& name, const std::vector<V>& values, std::string_view letters) {
+    for (int axis = 0; char letter : letters) {
+      std::vector<float> along;
+      for (const V& value : values) along.push_back(value[axis]);
+      add(name + '.' + letter, std::move(along)), ++axis;
+    }
   }
 
   std::vector<ExrChannel> all;
@@ -71,13 +66,12 @@ Result<std::string> pass_picture(const Scene& scene, const FramePasses& passes) 
   Channels channels;
   channels.add("A", passes.coverage);
   channels.add("Z", passes.depth);
-  channels.add("N", passes.normal);
-  channels.add("P", passes.position);
-  channels.add("forward", passes.forward);
-  channels.add("backward", passes.backward);
+  channels.add("N", passes.normal, "XYZ");
+  channels.add("P", passes.position, "XYZ");
+  channels.add("forward", passes.forward, "uv");
+  channels.add("backward", passes.backward, "uv");
   channels.add("sun.Y", passes.sun);
-  for (int c = 0; c < 3 && !passes.albedo.empty(); ++c)
-    channels.add(std::string("albedo.") + "RGB"[c], passes.albedo, [c](Vec3 color) { return color[c]; });
+  if (!passes.albedo.empty()) channels.add("albedo", passes.albedo, "RGB");
   ExrAttributes attributes;
   struct MaskLayer {
     std::string name;

@@ -5,7 +5,6 @@
 #include "pipeline/frame_times.h"
 #include "pipeline/out_folder.h"
 #include "pipeline/pace.h"
-#include "pipeline/run_lock.h"
 
 namespace frond {
 

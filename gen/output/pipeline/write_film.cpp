@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <optional>
 #include <set>
 #include <span>
 
@@ -14,8 +13,6 @@
 #include "core/machine.h"
 #include "core/parallel.h"
 #include "core/version.h"
-#include "emit/frame.h"
-#include "estimate/estimate_cost.h"
 #include "film/film_files.h"
 #include "pipeline/out_folder.h"
 #include "pipeline/pace.h"
@@ -45,11 +42,8 @@ Written write_frames(const FilmFolder& film, const Scene& scene, CopyPlan plan, 
   fs::path folder = film.out / "frames";
   FrameParts parts = prepare_frames(scene, std::move(plan));
   std::set<std::string> beside;
-  for (const Picture& file : parts.files) {
-    beside.insert(file.name);
-    Result<bool> written = write_file(folder / file.name, file.bytes);
-    if (!written) return {0, written.errors(), {}, {}};
-  }
+  for (const Picture& file : parts.files) beside.insert(file.name);
+  if (Errors lost = write_pictures(folder, parts.files); !lost.empty()) return {0, lost, {}, {}};
   if (Errors lost = write_light(scene, parts, folder); !lost.empty()) return {0, lost, {}, {}};
   if (!parts.light.empty()) beside.insert(parts.light);
   int each = exposures(scene.film, scene.setup.camera), count = drawn_range(film).count() * each;
@@ -164,8 +158,7 @@ Machine machine_for(const fs::path& out) {
 /// What a run will cost, which the machine bears.
 Result<CostEstimate> borne_cost(const FilmFolder& film, const Machine& machine, RunEvents& events) {
   events.doing("estimating how much there will be");
-  Result<CostEstimate> estimate =
-      estimate_cost(film.preset, {drawn_range(film).first, drawn_range(film).last});
+  Result<CostEstimate> estimate = estimate_cost(film.preset, drawn_range(film));
   Errors refused = estimate ? refuse(*estimate, machine) : estimate.errors();
   for (Error& error : refused)
     error.where = film.file.string() + (error.where.empty() ? "" : ": " + error.where);

@@ -10,7 +10,8 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
-#include <string_view>
+
+#include "render/descriptor.h"
 
 namespace frond {
 
@@ -39,36 +40,30 @@ class Rules {
     handled_ = kOfFirstVersion | (of_version >= 2 ? kRefer : 0) | (of_version >= 3 ? kTruncate : 0);
     landlock_ruleset_attr attributes{};
     attributes.handled_access_fs = handled_;
-    file_ = static_cast<int>(
-        ::syscall(SYS_landlock_create_ruleset, &attributes, sizeof attributes.handled_access_fs, 0));
-    if (file_ < 0) fail("Landlock");
+    file_ = Descriptor(static_cast<int>(
+        ::syscall(SYS_landlock_create_ruleset, &attributes, sizeof attributes.handled_access_fs, 0)));
+    if (!file_) fail("Landlock");
   }
-  ~Rules() {
-    if (file_ >= 0) ::close(file_);
-  }
-  Rules(const Rules&) = delete;
-  Rules& operator=(const Rules&) = delete;
 
   /// Allows it below a path. What is not there needs no rule, unless somebody has named it.
   void allow(const fs::path& path, Rights rights, bool must_be_there = false) {
-    int place = ::open(path.c_str(), O_PATH | O_CLOEXEC);
-    if (place < 0) {
+    Descriptor place(::open(path.c_str(), O_PATH | O_CLOEXEC));
+    if (!place) {
       if (must_be_there) fail(path.string());
       return;
     }
     struct stat about {};
-    if (::fstat(place, &about) == 0 && !S_ISDIR(about.st_mode)) rights &= kOfFiles;
+    if (::fstat(*place, &about) == 0 && !S_ISDIR(about.st_mode)) rights &= kOfFiles;
     landlock_path_beneath_attr rule{};
     rule.allowed_access = rights & handled_;
-    rule.parent_fd = place;
-    if (::syscall(SYS_landlock_add_rule, file_, LANDLOCK_RULE_PATH_BENEATH, &rule, 0) != 0)
+    rule.parent_fd = *place;
+    if (::syscall(SYS_landlock_add_rule, *file_, LANDLOCK_RULE_PATH_BENEATH, &rule, 0) != 0)
       fail(path.string() + ": Landlock");
-    ::close(place);
   }
 
   Errors enforce() {
     if (errors_.empty() && (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 ||
-                            ::syscall(SYS_landlock_restrict_self, file_, 0) != 0))
+                            ::syscall(SYS_landlock_restrict_self, *file_, 0) != 0))
       fail("Landlock");
     return errors_;
   }
@@ -76,7 +71,7 @@ class Rules {
  private:
   void fail(const std::string& where) { errors_.push_back({where, std::strerror(errno)}); }
 
-  int file_ = -1;
+  Descriptor file_;
   Rights handled_ = 0;
   Errors errors_;
 };

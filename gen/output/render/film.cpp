@@ -10,7 +10,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <functional>
 
 #include "core/files.h"
 #include "images/png_samples.h"
@@ -34,15 +33,6 @@ struct Encoded {
   Errors damaged;  ///< pictures that are not whole
 };
 
-bool write_all(int file, std::string_view bytes) {
-  while (!bytes.empty()) {
-    ssize_t written = ::write(file, bytes.data(), bytes.size());
-    if (written < 0 && errno != EINTR) return false;
-    if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return true;
-}
-
 /// ffmpeg with these arguments, and the pictures one after the other on its stdin. Where one is not whole it
 /// gets no more and is ended, and the others are only looked at.
 Encoded feed(const std::vector<fs::path>& pictures, std::vector<std::string> words) {
@@ -50,27 +40,25 @@ Encoded feed(const std::vector<fs::path>& pictures, std::vector<std::string> wor
   OutputCapture said;
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) return {1, 0, std::strerror(errno), {}};
+  Descriptor from(ends[0]), to(ends[1]);
   Command command;
   command.words = std::move(words);
-  command.in = ends[0];
+  command.in = *from;
   command.out = command.err = said.descriptor();
   Result<pid_t> process = start(command);
-  ::close(ends[0]);
-  if (!process) {
-    ::close(ends[1]);
-    return {1, 0, process.errors()[0].text(), {}};
-  }
+  from.close();
+  if (!process) return {1, 0, process.errors()[0].text(), {}};
   auto before = ::signal(SIGPIPE, SIG_IGN);  // it may end before it has read all
   bool reads = true;
   for (const fs::path& path : pictures) {
     Result<std::string> bytes = whole_picture(path);
     if (!bytes) result.damaged.push_back(bytes.errors()[0]);
     if (!result.damaged.empty() || !reads) continue;
-    reads = write_all(ends[1], *bytes);
+    reads = write_all(*to, *bytes);
     result.fed += reads;
   }
   if (!result.damaged.empty()) ::kill(*process, SIGKILL);
-  ::close(ends[1]);
+  to.close();
   ::signal(SIGPIPE, before);
   result.status = wait_for(*process);
   result.words = said.text();
@@ -141,22 +129,17 @@ List codec(std::string_view format, bool alpha) {
     return {"-lavfi", "paletteuse=dither=bayer:bayer_scale=4:diff_mode=rectangle", "-fps_mode",
             "passthrough"};
   List list = even;
-  if (format == "mov") {
+  bool h264 = format != "mov" && format != "webm";
+  if (format == "mov")
     append_words(list, {"-c:v", "prores_ks", "-profile:v", "4444", "-alpha_bits", alpha ? "16" : "0",
                         "-vendor", "apl0"});
-    append_words(list, tags);
-    return list;
-  }
-  if (format == "webm") {
-    if (alpha) append_words(list, {"-auto-alt-ref", "0"});
+  if (format == "webm" && alpha) append_words(list, {"-auto-alt-ref", "0"});
+  if (format == "webm")
     append_words(list, {"-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0", "-deadline", "good", "-cpu-used",
                         "2", "-threads", "4"});
-    append_words(list, tags);
-    return list;
-  }
-  append_words(list, {"-c:v", "libx264", "-preset", "slow", "-crf", "16", "-threads", "4"});
+  if (h264) append_words(list, {"-c:v", "libx264", "-preset", "slow", "-crf", "16", "-threads", "4"});
   append_words(list, tags);
-  append_words(list, {"-movflags", "+faststart"});  // the header first
+  if (h264) append_words(list, {"-movflags", "+faststart"});  // the header first
   return list;
 }
 

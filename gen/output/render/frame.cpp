@@ -15,7 +15,6 @@
 #include "render/place.h"
 #include "render/process.h"
 #include "render/scene_head.h"
-#include "render/trace_state.h"
 
 namespace frond {
 
@@ -27,17 +26,12 @@ namespace {
 class OpenFolder {
  public:
   explicit OpenFolder(const fs::path& folder) : file_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY)) {}
-  ~OpenFolder() {
-    if (file_ >= 0) ::close(file_);
-  }
-  OpenFolder(const OpenFolder&) = delete;
-  OpenFolder& operator=(const OpenFolder&) = delete;
 
   /// A name of the folder without blanks or quotes, as long as this object lives.
-  std::string name() const { return fmt::format("/proc/self/fd/{}", file_); }
+  std::string name() const { return fmt::format("/proc/self/fd/{}", *file_); }
 
  private:
-  int file_;
+  Descriptor file_;
 };
 
 constexpr int kKilled = 128 + SIGKILL;  // the exit code
@@ -115,12 +109,12 @@ class FrameRun {
     ::unlink(names.part.c_str());
     if (!files_.keep_notes(names))
       return give_up(folder_.string() + ": cannot be written to", names, 0, count);
-    int log = ::open(files_.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
-    if (log < 0) return give_up(folder_.string() + ": cannot be written to", names, 0, count);
+    Descriptor log(::open(files_.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666));
+    if (!log) return give_up(folder_.string() + ": cannot be written to", names, 0, count);
     Command command = povray(scene, names.part);
-    command.out = command.err = log;
+    command.out = command.err = *log;
     Result<pid_t> process = start(command);
-    ::close(log);
+    log.close();
     if (!process) return give_up(process.errors()[0].text(), names, 1, count);
     std::optional<int> status = stop_.wait_for(*process);
     if (!status) {
@@ -247,10 +241,8 @@ class FrameRun {
   }
 
   static void note_frame(const fs::path& times, const std::string& line) {
-    int file = ::open(times.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
-    if (file < 0) return;
-    (void)!::write(file, line.data(), line.size());
-    ::close(file);
+    Descriptor file(::open(times.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666));
+    if (file) (void)!::write(*file, line.data(), line.size());
   }
 
   StopSignals stop_;
@@ -282,12 +274,7 @@ Result<bool> render_frame(const FrameJob& job) {
   std::optional<fs::path> renderer = find_program(job.povray);
   if (!renderer) return Error{"", job.povray + ": no such program"};
   if (!fs::is_regular_file(job.scene, error)) return lost("it is gone");
-  std::string first(1000, '\0');
-  int file = ::open(job.scene.c_str(), O_RDONLY | O_CLOEXEC);
-  ssize_t got = file < 0 ? 0 : ::read(file, first.data(), first.size());
-  if (file >= 0) ::close(file);
-  first.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
-  SceneHead head = read_scene_head(first);
+  SceneHead head = scene_head_of(job.scene);
   fs::path light = job.scene.parent_path() / head.light;
   if (!head.light.empty() && !fs::is_regular_file(light, error)) return lost(light.string() + " is gone");
   std::vector<fs::path> scenes = exposures_of(job.scene, head.exposures);

@@ -5,10 +5,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
-#include <string_view>
-
 #include "core/files.h"
+#include "core/read_as.h"
+#include "render/descriptor.h"
 #include "render/trace_state.h"
 
 namespace frond {
@@ -54,19 +53,17 @@ void FrameFiles::remove_others() const {
 void FrameFiles::remove_all() const { remove(true); }
 
 std::optional<long> FrameFiles::begin_time() const {
-  std::optional<long> before = 0;
   Result<std::string> noted = read_file(spent);
-  long number = 0;
-  if (noted && std::from_chars(noted->data(), noted->data() + noted->size(), number).ec == std::errc{}) {
-    before = number;
-  } else {
-    for (const fs::path& path : files_in(folder_)) {
+  std::string_view text = noted ? std::string_view(*noted) : "";
+  std::optional<long> before = consume_as<long>(text);
+  if (!before) {
+    bool begun = std::ranges::any_of(files_in(folder_), [&](const fs::path& path) {
       std::string file = path.filename(), type = path.extension();
       std::error_code error;
-      if (file.starts_with(base_ + ".") && (type == ".kept" || type == ".exposed") &&
-          fs::file_size(path, error) > 0)
-        before = std::nullopt;
-    }
+      return file.starts_with(base_ + ".") && (type == ".kept" || type == ".exposed") &&
+             fs::file_size(path, error) > 0;
+    });
+    if (!begun) before = 0;
   }
   (void)write_new(spent, "?\n");
   return before;
@@ -80,9 +77,8 @@ bool FrameFiles::keep_notes(const Exposure& names) const {
   std::error_code error;
   fs::create_directory(large, error);
   if (error) return false;
-  int file = ::open(names.kept.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
-  if (file < 0) return false;
-  ::close(file);
+  if (!Descriptor(::open(names.kept.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666)))
+    return false;
   ::unlink(names.state.c_str());
   fs::create_hard_link(names.kept, names.state, error);
   return keep_traced(names.kept).empty();

@@ -20,13 +20,12 @@ namespace {
 
 /// Removes a folder that no task holds.
 void remove_left(const fs::path& folder) {
-  int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
-  if (file < 0) return;
+  Descriptor file(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  if (!file) return;
   std::error_code error;
   struct stat about {};
-  bool ours = ::fstat(file, &about) == 0 && about.st_uid == ::getuid();
-  if (ours && ::flock(file, LOCK_EX | LOCK_NB) == 0) fs::remove_all(folder, error);
-  ::close(file);
+  bool ours = ::fstat(*file, &about) == 0 && about.st_uid == ::getuid();
+  if (ours && ::flock(*file, LOCK_EX | LOCK_NB) == 0) fs::remove_all(folder, error);
 }
 
 }  // namespace
@@ -42,22 +41,18 @@ LocalFolder::LocalFolder() {
   for (int i = 0; i < kTries; ++i) {
     std::string path = (near_ / (name + "XXXXXX")).string();
     if (!::mkdtemp(path.data())) return;
-    lock_ = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (lock_ >= 0) ::flock(lock_, LOCK_EX);
+    Descriptor lock(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (lock) ::flock(*lock, LOCK_EX);
     std::error_code error;
-    if (lock_ >= 0 && fs::is_directory(path, error)) {
-      path_ = path;
-      return;
-    }
-    if (lock_ >= 0) ::close(lock_);
-    lock_ = -1;
+    if (!lock || !fs::is_directory(path, error)) continue;
+    path_ = path, lock_ = std::move(lock);
+    return;
   }
 }
 
 LocalFolder::~LocalFolder() {
   std::error_code error;
   if (!path_.empty()) fs::remove_all(path_, error);
-  if (lock_ >= 0) ::close(lock_);
 }
 
 }  // namespace frond

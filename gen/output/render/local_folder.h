@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "render/descriptor.h"
+
 namespace frond {
 
 /// A folder of this task's own on the disk of this machine ($SLURM_TMPDIR, $TMPDIR or /tmp); gone with this,
@@ -19,7 +21,7 @@ class LocalFolder {
 
  private:
   std::filesystem::path near_, path_;
-  int lock_ = -1;  // held as long as the task lives
+  Descriptor lock_;  // held as long as the task lives
 };
 
 }  // namespace frond

@@ -26,25 +26,23 @@ Ninja::Ninja(std::filesystem::path folder, std::vector<std::string> environment,
 Result<Ninja::End> Ninja::make(const std::vector<std::string>& files, int jobs, const NinjaEvents& events) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) return Error{"ninja", std::strerror(errno)};
+  Descriptor from(ends[0]), to(ends[1]);
   Command command;
   command.words = {"ninja", "-k", "0", "-j", std::to_string(jobs)};
   command.words.insert(command.words.end(), files.begin(), files.end());
   command.environment = environment_;
   command.environment.push_back(fmt::format("NINJA_STATUS={}", kMark));
   command.folder = folder_;
-  command.out = command.err = ends[1];
+  command.out = command.err = *to;
   command.end_with = SIGTERM;
   Result<pid_t> process = start(command);
-  ::close(ends[1]);
-  if (!process) {
-    ::close(ends[0]);
-    return process.errors();
-  }
+  to.close();
+  if (!process) return process.errors();
   process_ = *process;
   End result;
   has_pending_ = skip_ = false;
-  follow(ends[0], result, events);
-  ::close(ends[0]);
+  follow(*from, result, events);
+  from.close();
   if (result.stopped) end();
   result.well = wait_for(process_) == 0;
   process_ = 0;

@@ -4,10 +4,11 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 
 #include "core/files.h"
+#include "core/read_as.h"
 #include "images/whole.h"
+#include "render/descriptor.h"
 
 namespace frond {
 
@@ -16,14 +17,16 @@ namespace fs = std::filesystem;
 namespace {
 
 std::error_code flush_to_disk(const fs::path& path) {
-  int file = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
-  if (file < 0 || (::fsync(file) != 0 && errno != EINVAL)) {
-    std::error_code error(errno, std::generic_category());
-    if (file >= 0) ::close(file);
-    return error;
-  }
-  ::close(file);
-  return {};
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC));
+  bool done = file && (::fsync(*file) == 0 || errno == EINVAL);
+  return done ? std::error_code() : std::error_code(errno, std::generic_category());
+}
+
+/// Removes what cannot become a file, and says why.
+Errors not_written(const fs::path& part, const fs::path& file, std::error_code why) {
+  std::error_code ignored;
+  fs::remove(part, ignored);
+  return {{"", file.string() + " could not be written: " + reason_of(why)}};
 }
 
 }  // namespace
@@ -42,19 +45,12 @@ Errors put_in_place(const fs::path& part, const fs::path& file) {
   }
   error = flush_to_disk(part);
   if (!error) fs::rename(part, file, error);
-  if (!error) return {};
-  std::error_code ignored;
-  fs::remove(part, ignored);
-  return {{"", file.string() + " could not be written: " + reason_of(error)}};
+  return error ? not_written(part, file, error) : Errors{};
 }
 
 Errors put_text(const fs::path& part, const fs::path& file, std::string_view text) {
-  if (std::error_code error = write_new(part, text); error) {
-    std::error_code ignored;
-    fs::remove(part, ignored);
-    return {{"", file.string() + " could not be written: " + reason_of(error)}};
-  }
-  return put_in_place(part, file);
+  std::error_code error = write_new(part, text);
+  return error ? not_written(part, file, error) : put_in_place(part, file);
 }
 
 Result<std::string> whole_picture(const fs::path& file, std::array<int, 2> size) {
@@ -79,13 +75,10 @@ std::string without_time(std::string_view png) {
 }
 
 std::array<int, 2> size_of(std::string_view text) {
-  std::array<int, 2> size{};
-  const char* end = text.data() + text.size();
-  auto width = std::from_chars(text.data(), end, size[0]);
-  if (width.ec != std::errc{} || width.ptr == end || *width.ptr != 'x') return {};
-  auto height = std::from_chars(width.ptr + 1, end, size[1]);
-  if (height.ec != std::errc{} || height.ptr != end || size[0] < 1 || size[1] < 1) return {};
-  return size;
+  int width = consume_as<int>(text).value_or(0);
+  if (width < 1 || !text.starts_with('x')) return {};
+  int height = read_as<int>(text.substr(1)).value_or(0);
+  return height < 1 ? std::array<int, 2>{} : std::array{width, height};
 }
 
 }  // namespace frond

@@ -1,7 +1,6 @@
 #include "render/process.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/signalfd.h>
@@ -42,18 +41,10 @@ std::vector<std::string> environment_of(const Command& command) {
   return all;
 }
 
-void say(int to, std::string_view text) {
-  while (!text.empty()) {
-    ssize_t written = ::write(to, text.data(), text.size());
-    if (written < 0) return;
-    text.remove_prefix(static_cast<std::size_t>(written));
-  }
-}
-
 /// In the new process: becomes the program, or says to `report` why it cannot.
 [[noreturn]] void become(const Command& command, char** words, char** environment, pid_t parent, int report) {
   auto give_up = [&](const std::string& where) {
-    say(report, where + ": " + std::strerror(errno));
+    write_all(report, where + ": " + std::strerror(errno));
     ::_exit(127);
   };
   ::prctl(PR_SET_PDEATHSIG, command.end_with);
@@ -73,7 +64,7 @@ void say(int to, std::string_view text) {
   if (!command.folder.empty() && ::chdir(command.folder.c_str()) != 0) give_up(command.folder.string());
   if (command.confinement)
     if (Errors errors = confine(*command.confinement, words[0]); !errors.empty()) {
-      say(report, errors.front().text());
+      write_all(report, errors.front().text());
       ::_exit(127);
     }
   ::execvpe(words[0], words, environment);
@@ -105,6 +96,15 @@ Result<pid_t> start(const Command& command) {
   if (said.empty()) return child;
   frond::wait_for(child);
   return Error{"", said};
+}
+
+bool write_all(int file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno != EINTR) return false;
+    if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
 }
 
 int wait_for(pid_t process) {
@@ -152,13 +152,10 @@ StopSignals::StopSignals() {
   ::sigprocmask(SIG_BLOCK, &held_, &before_);
   sigset_t ours = held_;
   sigdelset(&ours, SIGCHLD);
-  file_ = ::signalfd(-1, &ours, SFD_CLOEXEC | SFD_NONBLOCK);
+  file_ = Descriptor(::signalfd(-1, &ours, SFD_CLOEXEC | SFD_NONBLOCK));
 }
 
-StopSignals::~StopSignals() {
-  ::sigprocmask(SIG_SETMASK, &before_, nullptr);
-  if (file_ >= 0) ::close(file_);
-}
+StopSignals::~StopSignals() { ::sigprocmask(SIG_SETMASK, &before_, nullptr); }
 
 std::optional<int> StopSignals::wait_for(pid_t process) {
   std::optional<Ended> ended = wait(process);
@@ -187,17 +184,13 @@ bool StopSignals::asked() {
 }
 
 OutputCapture::OutputCapture() : file_(::memfd_create("words", MFD_CLOEXEC)) {
-  if (file_ >= 0) ::fcntl(file_, F_SETFL, O_APPEND);
-}
-
-OutputCapture::~OutputCapture() {
-  if (file_ >= 0) ::close(file_);
+  if (file_) ::fcntl(*file_, F_SETFL, O_APPEND);
 }
 
 std::string OutputCapture::text() const {
-  off_t size = ::lseek(file_, 0, SEEK_END);
+  off_t size = ::lseek(*file_, 0, SEEK_END);
   std::string text(size > 0 ? static_cast<std::size_t>(size) : 0, '\0');
-  ssize_t got = ::pread(file_, text.data(), text.size(), 0);
+  ssize_t got = ::pread(*file_, text.data(), text.size(), 0);
   text.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
   return text;
 }

@@ -11,6 +11,7 @@
 
 #include "core/result.h"
 #include "render/confine.h"
+#include "render/descriptor.h"
 
 /// Other programs, started with their arguments as they are: no shell reads them.
 namespace frond {
@@ -29,6 +30,9 @@ struct Command {
 
 /// Starts it; the number of its process. Of a process with one thread only where it is confined.
 Result<pid_t> start(const Command& command);
+
+/// Writes all of it to an open file; false where that fails.
+bool write_all(int file, std::string_view bytes);
 
 /// Waits for its end: its exit code, or 128 and the signal that ended it.
 int wait_for(pid_t process);
@@ -76,13 +80,13 @@ class StopSignals final : public Stop {
   std::optional<Ended> wait_for_any();
 
   bool asked() override;
-  int descriptor() const override { return file_; }
+  int descriptor() const override { return *file_; }
 
  private:
   std::optional<Ended> wait(pid_t process);
 
   sigset_t held_, before_;
-  int file_ = -1;
+  Descriptor file_;
   bool asked_ = false;
 };
 
@@ -90,15 +94,12 @@ class StopSignals final : public Stop {
 class OutputCapture {
  public:
   OutputCapture();
-  ~OutputCapture();
-  OutputCapture(const OutputCapture&) = delete;
-  OutputCapture& operator=(const OutputCapture&) = delete;
 
-  int descriptor() const { return file_; }
+  int descriptor() const { return *file_; }
   std::string text() const;
 
  private:
-  int file_ = -1;
+  Descriptor file_;
 };
 
 /// Whether a program's words are those of a full disk; each has its own, "no room on the disk" is what we

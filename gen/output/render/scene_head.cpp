@@ -1,6 +1,7 @@
 #include "render/scene_head.h"
 
 #include <algorithm>
+#include <fstream>
 
 #include "core/read_as.h"
 
@@ -88,6 +89,14 @@ SceneHead read_scene_head(std::string_view scene) {
     if (whole && rest.empty()) return fine;
   }
   return head;
+}
+
+SceneHead scene_head_of(const std::filesystem::path& scene) {
+  std::string first(1000, '\0');
+  std::ifstream text(scene, std::ios::binary);
+  text.read(first.data(), static_cast<std::streamsize>(first.size()));
+  first.resize(static_cast<std::size_t>(text.gcount()));
+  return read_scene_head(first);
 }
 
 }  // namespace frond

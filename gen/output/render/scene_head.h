@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,5 +27,7 @@ struct SceneHead {
 
 /// Reads it from the text of the scene, or from the beginning of it.
 SceneHead read_scene_head(std::string_view scene);
+/// That of a file; nothing is said by one that cannot be read.
+SceneHead scene_head_of(const std::filesystem::path& scene);
 
 }  // namespace frond

@@ -1,7 +1,6 @@
 #include "render/trace_state.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdint>
 #include <fstream>
@@ -10,7 +9,6 @@
 #include <string_view>
 
 #include "core/files.h"
-#include "core/linear.h"
 #include "images/whole.h"
 
 namespace frond {

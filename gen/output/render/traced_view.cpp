@@ -1,7 +1,6 @@
 #include "render/traced_view.h"
 
 #include <algorithm>
-#include <fstream>
 #include <string>
 
 #include "core/files.h"
@@ -16,10 +15,7 @@ namespace fs = std::filesystem;
 
 Result<std::string> traced_png(const fs::path& state, const fs::path& scene, std::array<int, 2> size,
                                const Raster* below) {
-  std::string head;
-  std::ifstream text(scene);
-  std::getline(text, head);
-  auto picture = traced_picture(state, size, read_scene_head(head).tone, below);
+  auto picture = traced_picture(state, size, scene_head_of(scene).tone, below);
   if (!picture) return Error{state.string(), "nothing is traced yet"};
   return png_text(*picture);
 }
