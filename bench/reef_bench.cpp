@@ -43,7 +43,11 @@ BENCHMARK(Pose)->Unit(benchmark::kMillisecond)->UseRealTime();
 void Emit(benchmark::State& state) {
   std::string layout = *read_file(FROND_ROOT "/templates/frame.pov");
   FrameParts parts = prepare_frames(reef());
-  for (auto _ : state) benchmark::DoNotOptimize(frame_text(reef(), parts, layout, 1));
+  for (auto _ : state) {
+    std::string text;
+    benchmark::DoNotOptimize(
+        write_frame(reef(), parts, layout, 1, [&](std::string_view piece) { text += piece; }));
+  }
   per_node(state);
 }
 BENCHMARK(Emit)->Unit(benchmark::kMillisecond)->UseRealTime();

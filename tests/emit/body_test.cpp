@@ -1,4 +1,4 @@
-#include "emit/body.h"
+#include "emit/branch_materials.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,7 @@
 #include <regex>
 #include <set>
 
-#include "emit/copy_models.h"
-#include "emit/frame.h"
+#include "emit/texts.h"
 #include "scene/scene.h"
 
 namespace frond {

@@ -1,4 +1,4 @@
-#include "emit/polyps.h"
+#include "emit/solid.h"
 
 #include <gtest/gtest.h>
 

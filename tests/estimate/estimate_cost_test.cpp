@@ -4,8 +4,8 @@
 
 #include "core/files.h"
 #include "draw/ambience.h"
-#include "emit/frame.h"
 #include "emit/setting.h"
+#include "emit/texts.h"
 #include "film/soft_light.h"
 #include "settings/meadow.h"
 

@@ -1,10 +1,8 @@
-#include "emit/body.h"
-
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "core/seed.h"
-#include "core/text.h"
 #include "emit/branch_materials.h"
 #include "field/cubes.h"
 
@@ -14,18 +12,18 @@ namespace {
 
 constexpr std::size_t kPartTriangles = 10'000;  // POV-Ray reads many meshes faster than one large one
 
-/// Appends `name{count` and the items of a list of a mesh2.
-template <class Items, class Append>
-void append_items(std::string& text, std::string_view name, const Items& items, const Append& append_item) {
-  text += name;
-  text += '{';
-  append_index(text, items.size());
-  for (const auto& item : items) {
-    text += ',';
-    append_item(item);
+/// The numbers of a list, each once and in order, and where in it one is.
+struct Numbers {
+  std::vector<std::uint32_t> all;
+
+  explicit Numbers(std::vector<std::uint32_t> list) : all(std::move(list)) {
+    std::ranges::sort(all);
+    all.erase(std::ranges::unique(all).begin(), all.end());
   }
-  text += "}\n";
-}
+  std::uint32_t place_of(std::uint32_t number) const {
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(all, number) - all.begin());
+  }
+};
 
 /// Some triangles of a surface, each corner with the number of its texture in a list.
 struct Part {
@@ -37,20 +35,14 @@ struct Part {
 void append_part(ObjectText& all, const PovSpace& space, const Surface& surface, const Part& part) {
   std::string& text = all.text;
   ++all.objects;
-  std::vector<std::uint32_t> used;
-  for (const auto& t : part.triangles) used.insert(used.end(), t.begin(), t.end());
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  auto local = [&](std::uint32_t v) {
-    return static_cast<double>(std::lower_bound(used.begin(), used.end(), v) - used.begin());
-  };
+  std::vector<std::uint32_t> corners;
+  for (const auto& t : part.triangles) corners.insert(corners.end(), t.begin(), t.end());
+  Numbers used(std::move(corners));
   text += "mesh2{\n";
-  append_items(text, "vertex_vectors", used,
+  append_items(text, "vertex_vectors", used.all,
                [&](std::uint32_t v) { append_point(text, space, surface.position[v]); });
-  append_items(text, "normal_vectors", used, [&](std::uint32_t v) {
-    text += '<';
-    append_list(text, 3, surface.normal[v].x, surface.normal[v].y, -surface.normal[v].z);
-    text += '>';
+  append_items(text, "normal_vectors", used.all, [&](std::uint32_t v) {
+    append_vector(text, 3, surface.normal[v].x, surface.normal[v].y, -surface.normal[v].z);
   });
   if (!part.list.empty())
     append_items(text, "texture_list", part.list, [&](const std::string& t) { text += t; });
@@ -59,18 +51,15 @@ void append_part(ObjectText& all, const PovSpace& space, const Surface& surface,
   for (std::size_t i = 0; i < part.triangles.size(); ++i) {
     // The mirror turns triangles over, and this turns them back.
     auto [a, b, c] = part.triangles[i];
-    text += ",<";
-    append_list(text, 0, local(a), local(c), local(b));
-    text += '>';
+    text += ',';
+    append_vector(text, 0, used.place_of(a), used.place_of(c), used.place_of(b));
     if (part.list.empty()) continue;
     auto [p, q, r] = part.textures[i];
     text += ',';
-    append_index(text, p);
-    if (p == q && q == r) continue;
-    text += ',';
-    append_index(text, r);
-    text += ',';
-    append_index(text, q);
+    if (p == q && q == r)
+      append_index(text, p);
+    else
+      append_list(text, 0, p, r, q);
   }
   text += "}}\n";
 }
@@ -98,30 +87,26 @@ ObjectText fused_text(const PovSpace& space, const FusedMesh& mesh, const ChunkT
                       bool one_texture, std::size_t skin) {
   auto texture_of = [&](std::uint32_t v) { return textures.of_node[static_cast<std::size_t>(mesh.node[v])]; };
   // Triangles of one chunk together, so that a part has few textures.
-  std::vector<std::uint32_t> order;
-  for (std::uint32_t t = 0; t < mesh.surface.triangle.size(); ++t) order.push_back(t);
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return texture_of(mesh.surface.triangle[a][0]) < texture_of(mesh.surface.triangle[b][0]);
-  });
+  std::vector<std::uint32_t> order(mesh.surface.triangle.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::stable_sort(order, {},
+                           [&](std::uint32_t t) { return texture_of(mesh.surface.triangle[t][0]); });
   ObjectText text;
   for (std::size_t from = 0; from < order.size(); from += kPartTriangles) {
     Part part;
-    std::vector<std::uint32_t> numbers;
+    std::vector<std::uint32_t> worn;
     std::size_t to = std::min(order.size(), from + kPartTriangles);
     for (std::size_t i = from; i < to; ++i) {
       part.triangles.push_back(mesh.surface.triangle[order[i]]);
       if (one_texture) continue;
       std::array<std::uint32_t, 3> corners{};
-      for (std::size_t k = 0; k < 3; ++k)
-        numbers.push_back(corners[k] = texture_of(part.triangles.back()[k]));
+      for (std::size_t k = 0; k < 3; ++k) worn.push_back(corners[k] = texture_of(part.triangles.back()[k]));
       part.textures.push_back(corners);
     }
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-    for (std::uint32_t n : numbers) part.list.push_back(textures.texts[n]);
+    Numbers numbers(std::move(worn));
+    for (std::uint32_t n : numbers.all) part.list.push_back(textures.texts[n]);
     for (auto& corners : part.textures)
-      for (std::uint32_t& n : corners)
-        n = static_cast<std::uint32_t>(std::lower_bound(numbers.begin(), numbers.end(), n) - numbers.begin());
+      for (std::uint32_t& n : corners) n = numbers.place_of(n);
     append_part(text, space, mesh.surface, part);
   }
   if (!one_texture || text.objects == 0) return text;

@@ -7,7 +7,6 @@
 
 #include "appearance/bleaching.h"
 #include "appearance/skin_colors.h"
-#include "core/text.h"
 
 namespace frond {
 
@@ -77,50 +76,15 @@ void append_bark(std::string& text, const BranchLook& look, double brightness, s
                  std::string_view name) {
   for (std::size_t i = 0; i < look.colors(); ++i) {
     const Bark& bark = *look.bark_of(i);
-    text += "Plant_Bark(";
-    append_index(text, first + i);
-    text += ',';
-    append_integer(text, static_cast<int>(bark.kind));
-    text += ',';
-    append_color(text, bark.colors[look.other(i) ? 0 : i]);
-    text += ',';
-    append_color(text, bark.second);
-    text += ',';
-    append_color(text, bark.young);
-    text += ',';
-    append_list(text, 5, bark.scale, bark.depth, brightness);
-    text += ") ";
+    append_call(text, "Plant_Bark", first + i, static_cast<int>(bark.kind),
+                bark.colors[look.other(i) ? 0 : i], bark.second, bark.young, bark.scale, bark.depth,
+                brightness);
+    text += ' ';
     append_comment(text, name);
   }
 }
 
-/// `0,<tissue>,<pits>,<tissue>,<pits>,`: the kind of a skin, and its colours in two states.
-void append_skin_colors(std::string& text, SkinKind kind, float brightness, const SkinColors& one,
-                        const SkinColors& other) {
-  append_integer(text, static_cast<int>(kind));
-  text += ',';
-  for (Vec3 light : {one.tissue, one.pits, other.tissue, other.pits}) {
-    append_light(text, brightness * light);
-    text += ',';
-  }
-}
-
 }  // namespace
-
-void append_bleaching(std::string& text) {
-  const Bleaching& b = kBleaching;
-  text += "#declare Bleaching = array[5]{<";
-  append_list(text, 5, b.dead_light, b.pale_light, b.living_light);
-  text += ">,";
-  append_light(text, b.lime);
-  text += ',';
-  append_light(text, b.turf);
-  text += ",<";
-  append_list(text, 5, b.kept, b.lime_least, b.lime_by_gray);
-  text += ">,<";
-  append_list(text, 5, b.turf_least, b.turf_by_gray, b.most_gray);
-  text += ">};\n";
-}
 
 void append_skin_declarations(std::string& text, const BranchLook& look, double brightness, std::size_t first,
                               bool starving, std::string_view name) {
@@ -128,30 +92,18 @@ void append_skin_declarations(std::string& text, const BranchLook& look, double 
   if (!look.skin) return;
   const Skin& skin = *look.skin;
   auto bright = static_cast<float>(brightness);
-  auto append_call = [&](std::string_view macro, const SkinColors& one, const SkinColors& other) {
-    text += macro;
-    text += '(';
-    append_integer(text, static_cast<long long>(first));
-    text += ',';
-    append_skin_colors(text, skin.kind, bright, one, other);
-    append_list(text, 5, skin.pores.cell, skin.pores.warp, skin.pores.depth);
-    text += ") ";
+  auto declare = [&](std::string_view macro, const SkinColors& one, const SkinColors& other) {
+    append_call(text, macro, first, static_cast<int>(skin.kind), bright * one.tissue, bright * one.pits,
+                bright * other.tissue, bright * other.pits, skin.pores.cell, skin.pores.warp,
+                skin.pores.depth);
+    text += ' ';
   };
-  append_call("Coral_Skin", old_skin(skin), young_skin(skin));
-  if (starving) append_call("Coral_Starving", bleached_skin(skin), dead_skin(skin));
-  if (double glow = look.skin->polyps.glow; glow > 0) {
-    std::string name_of_skin = "Skin[" + number_text(static_cast<double>(first)) + "]";
+  declare("Coral_Skin", old_skin(skin), young_skin(skin));
+  if (starving) declare("Coral_Starving", bleached_skin(skin), dead_skin(skin));
+  if (double glow = look.skin->polyps.glow; glow > 0)
     text +=
-        "#declare " + name_of_skin + " = texture{" + name_of_skin + " Reef_Glow(" + number_text(glow) + ")} ";
-  }
+        fmt::format("#declare Skin[{0}] = texture{{Skin[{0}] Reef_Glow({1})}} ", first, number_text(glow));
   append_comment(text, name);
-}
-
-void append_skins(std::string& text, const Scene& scene, std::span<const std::size_t> first) {
-  for (std::size_t i = 0; i < scene.specimens.size(); ++i) {
-    const Specimen& b = scene.specimens[i];
-    append_skin_declarations(text, b.look.branches, b.brightness, first[i], !b.model.light.empty(), b.name);
-  }
 }
 
 std::string skin_texture(std::size_t index) { return fmt::format("texture{{Skin[{}]}}", index); }
@@ -190,12 +142,17 @@ std::string SharedTextures::text(std::size_t number, std::size_t index) const {
 
 namespace {
 
+/// The names of a coat's pictures, as a macro takes them.
+std::string names_of(const BarkCoat& coat) {
+  return fmt::format("\"{}\",\"{}\"", bark_color_name(coat), bark_height_name(coat));
+}
+
 ObjectText coat_text(const PovSpace& space, const DrawnBranches& branches, const BarkCoat& coat,
                      const Surface& wood, double pixel) {
   if (!has_faces(wood)) return {};
   std::string text = "object{\n";
   append_mesh(text, space, wood, {.decimals = decimals_for(space, pixel)});
-  text += "\ntexture{Tree_Bark(\"" + bark_color_name(coat) + "\",\"" + bark_height_name(coat) + "\",";
+  text += fmt::format("\ntexture{{Tree_Bark({},", names_of(coat));
   append_list(text, 4, coat.relief, branches.traits.brightness);
   text += ")}";
   if (coat.moss > 0) {
@@ -218,42 +175,26 @@ ObjectText coat_text(const PovSpace& space, const DrawnBranches& branches, Vec3 
 
 std::string cube_texture(const BranchLook& look, std::size_t color, double brightness, double side, int age,
                          int shade) {
-  std::string text = "texture{Voxel_Skin(";
-  append_light(text,
-               static_cast<float>(brightness) * look.cube(color, static_cast<float>(age) / (kCubeAges - 1),
-                                                          static_cast<float>(shade) / (kCubeShades - 1)));
-  text += ',';
-  append(text, side, 4);
-  return text + ")}";
+  Vec3 light = look.cube(color, static_cast<float>(age) / (kCubeAges - 1),
+                         static_cast<float>(shade) / (kCubeShades - 1));
+  return "texture{" + call_text("Voxel_Skin", static_cast<float>(brightness) * light, number_text(side, 4)) +
+         '}';
 }
 
 std::string copy_texture(const BranchLook& look, std::size_t color) {
-  std::string text;
-  if (const BarkCoat* coat = look.coat_of(color)) {
-    text = fmt::format("Copy_Bark(\"{}\",\"{}\",", bark_color_name(*coat), bark_height_name(*coat));
-    append(text, coat->relief, 4);
-    text += ',';
-    append_color(text, coat->tone);
-    return text + ",T)";
-  }
+  if (const BarkCoat* coat = look.coat_of(color))
+    return call_text("Copy_Bark", names_of(*coat), number_text(coat->relief, 4), coat->tone, "T");
   if (look.skin) {
     const Skin& skin = *look.skin;
-    text = "Copy_Coral(";
-    append_skin_colors(text, skin.kind, 1, old_skin(skin), young_skin(skin));
-    append_list(text, 5, skin.pores.cell, skin.pores.warp, skin.pores.depth);
-    return text + ",T)";
+    SkinColors old = old_skin(skin), young = young_skin(skin);
+    return call_text("Copy_Coral", static_cast<int>(skin.kind), old.tissue, old.pits, young.tissue,
+                     young.pits, skin.pores.cell, skin.pores.warp, skin.pores.depth, "T");
   }
   Bark plain;
   plain.kind = BarkKind::stem;
   const Bark* worn = look.bark_of(color);
   const Bark& b = worn ? *worn : plain;
-  text = fmt::format("Copy_Wood({},", static_cast<int>(b.kind));
-  append_color(text, b.colors[0]);
-  text += ',';
-  append_color(text, b.second);
-  text += ',';
-  append_list(text, 5, b.scale, b.depth);
-  return text + ",T)";
+  return call_text("Copy_Wood", static_cast<int>(b.kind), b.colors[0], b.second, b.scale, b.depth, "T");
 }
 
 bool is_pictured(const BranchLook& look, std::size_t color) { return look.coat_of(color) || look.coral(); }

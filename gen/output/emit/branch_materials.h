@@ -1,13 +1,12 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
+#include "core/result.h"
 #include "draw/branches.h"
 #include "emit/pov.h"
-#include "scene/scene.h"
 
 // The textures of branches: which macro of povinc is called with what.
 
@@ -17,8 +16,6 @@ namespace frond {
 /// what becomes of one in the shade. The arrays Skin and Skin_Pigment must have room for them.
 void append_skin_declarations(std::string& text, const BranchLook& look, double brightness, std::size_t first,
                               bool starving, std::string_view name);
-/// Declares the skin of each organism, at all its ages; `first` has the number of each one's first.
-void append_skins(std::string& text, const Scene& scene, std::span<const std::size_t> first);
 
 /// `texture{Skin[7]}`: the skin of that number, as it was declared.
 std::string skin_texture(std::size_t index);
@@ -46,8 +43,10 @@ struct SharedTextures {
 /// while none of it has grown. Where the eye is near, furrows are let in.
 ObjectText coat_text(const PovSpace& space, const DrawnBranches& branches, Vec3 eye, double pixel);
 
-/// Declares `Bleaching`, by which macros know what becomes of living skin in the shade.
-void append_bleaching(std::string& text);
+/// The branches of one organism as one body, fused, rough or of cubes as its style says. A fused or rough one
+/// bears the textures of the chunks, each vertex that of the chunk it is nearest to, so that they stick to
+/// the skin as they do to sweeps. An error where the volume passes the limit of its style.
+Result<ObjectText> body_text(const PovSpace& space, const DrawnBranches& branches, std::size_t skin);
 
 inline constexpr int kCubeAges = 4, kCubeShades = 4;
 /// `texture{Voxel_Skin(...)}` of cubes of one colour, age and shade, and a side in metres.

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include "core/text.h"
 #include "draw/eyes.h"
 #include "draw/focus.h"
 
@@ -29,23 +27,17 @@ void append_lens(std::string& text, const PovSpace& space, const Camera& camera,
   text += kLensSamples[static_cast<std::size_t>(quality)];
 }
 
-void append_vector(std::string& text, std::string_view name, Vec3 v) {
-  text += name;
-  text += '<';
-  append_list(text, 9, v.x, v.y, -v.z);
-  text += '>';
-}
-
 /// What the camera sees, as vectors that no look_at turns back: the direction leans aside by the shift.
 void append_view(std::string& text, const Film& film, const Camera& camera, double time, Vec2 shift) {
   Eye eye = eye_at(film, camera, time);
   Vec3 right = glm::cross(eye.ahead, eye.up) * static_cast<float>(2 * eye.broad),
        up = eye.up * static_cast<float>(2 * eye.tall);
-  append_vector(text, " right", right);
-  append_vector(text, " up", up);
-  append_vector(text, " direction",
-                eye.ahead + right * (shift.x / static_cast<float>(film.size[0])) -
-                    up * (shift.y / static_cast<float>(film.size[1])));
+  Vec3 direction = eye.ahead + right * (shift.x / static_cast<float>(film.size[0])) -
+                   up * (shift.y / static_cast<float>(film.size[1]));
+  for (auto [name, v] : {std::pair(" right", right), {" up", up}, {" direction", direction}}) {
+    text += name;
+    append_vector(text, 9, v.x, v.y, -v.z);
+  }
 }
 
 /// POV-Ray draws whole blocks, so that anti-aliasing finds the same neighbours as in the whole picture.

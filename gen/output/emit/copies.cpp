@@ -8,9 +8,7 @@
 #include <set>
 
 #include "core/parallel.h"
-#include "core/text.h"
 #include "draw/copy_axes.h"
-#include "emit/copy_models.h"
 #include "emit/solid.h"
 #include "settings/settings.h"
 
@@ -24,9 +22,8 @@ std::string tints_text(std::size_t copy_set, const Organism& organism) {
   std::string text = fmt::format("#declare Tint{} = array[{}]{{", copy_set, kTints);
   for (int i = 0; i < kTints; ++i) {
     TintShift shift = tint_shift(organism.sown->tint, i);
-    text += i > 0 ? ",<" : "<";
-    append_list(text, 4, degrees(shift.hue), shift.saturation, shift.value);
-    text += '>';
+    if (i > 0) text += ',';
+    append_vector(text, 4, degrees(shift.hue), shift.saturation, shift.value);
   }
   return text + "}\n";
 }
@@ -100,7 +97,7 @@ class CopySetParts {
 
  private:
   void add(const std::string& name, const std::vector<int>& numbers) {
-    for (int part : numbers) append_part_name(parts.emplace_back(), name, static_cast<std::size_t>(part));
+    for (int part : numbers) parts.push_back(part_name(name, static_cast<std::size_t>(part)));
   }
 
   void grow(int model) {
@@ -168,11 +165,7 @@ ObjectText copy_set_text(const PovSpace& space, const Scene& scene, const CopyPl
       if (moss > 0)
         look += fmt::format(" texture{{Copy_Moss({})}}", number_text(moss / double{kMossSteps}, 3));
       look += weather_over(is_snowy(scene.setup), is_rainy(scene.setup), Wetting::leaf);
-      if (carries) {
-        object += " scale ";
-        append(object, unit, 6);
-        object += ' ' + look;
-      }
+      if (carries) object += " scale " + number_text(unit, 6) + ' ' + look;
       text += group_opening(lines);
       for (std::size_t from = 0; from < lines.size();) {
         std::size_t to = lines.find('\n', from) + 1;

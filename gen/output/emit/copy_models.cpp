@@ -1,5 +1,3 @@
-#include "emit/copy_models.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,8 +6,8 @@
 #include <set>
 
 #include "core/parallel.h"
-#include "core/text.h"
 #include "emit/branch_materials.h"
+#include "emit/copies.h"
 #include "emit/plant.h"
 #include "emit/solid.h"
 
@@ -20,22 +18,16 @@ namespace {
 constexpr const char* kCopyMacros[] = {"Copy_Leaf",  "Copy_Petal", "Copy_Fruit",
                                        "Copy_Fruit", "Copy_Fruit", "Copy_Leaf"};  // of each Tissue
 
-void append_colors(std::string& text, const std::vector<Color>& colors) {
-  text += fmt::format("array[{}]{{", colors.size());
-  for (std::size_t i = 0; i < colors.size(); ++i) {
-    if (i > 0) text += ',';
-    append_color(text, colors[i]);
-  }
-  text += '}';
-}
-
 std::string leaf_look(const std::vector<Color>& colors, const Color& second, Tissue tissue, bool plain,
                       const std::optional<Luster>& luster) {
-  std::string text = "#local C = ";
-  append_colors(text, colors);
-  std::string look = fmt::format("{}(C,", plain ? "Copy_Far" : kCopyMacros[static_cast<std::size_t>(tissue)]);
-  append_color(look, second);
-  return text + "; " + lustrous(look + ",T)", luster, plain ? "" : relief_macro(tissue), {});
+  std::string text = fmt::format("#local C = array[{}]{{", colors.size());
+  for (const Color& color : colors) {
+    if (text.back() != '{') text += ',';
+    append_color(text, color);
+  }
+  std::string look =
+      call_text(plain ? "Copy_Far" : kCopyMacros[static_cast<std::size_t>(tissue)], "C", second, "T");
+  return text + "}; " + lustrous(look, luster, plain ? "" : relief_macro(tissue), {});
 }
 
 /// The colours of the leaves of a part, of which there may be more than those that it wears: a map of POV-Ray
@@ -131,11 +123,11 @@ Surface skin_for(const CopyPart& part, const Look& look, const Model& model, con
 /// A part put together from its blocks, as their files declare them.
 void append_joined(std::string& text, const CopyPart& part, std::string_view name, std::size_t which) {
   std::set<int> blocks(part.block.begin(), part.block.end());
-  text += blocks.size() > 1 ? "union{" : "object{";
+  bool many = blocks.size() > 1;
+  text += many ? "union{" : "object{";
   for (int block : blocks) {
-    if (blocks.size() > 1) text += "object{";
-    append_part_name(text, fmt::format("{}_{}", name, block), which);
-    if (blocks.size() > 1) text += '}';
+    std::string own = part_name(fmt::format("{}_{}", name, block), which);
+    text += many ? "object{" + own + '}' : own;
   }
   text += '}';
 }
@@ -146,11 +138,7 @@ std::string declared_name(const ModelFile& file) {
   return "M" + file.name.substr(1, file.name.find('.') - 1);
 }
 
-void append_part_name(std::string& text, std::string_view model, std::size_t part) {
-  text += model;
-  text += '_';
-  append_integer(text, static_cast<long long>(part));
-}
+std::string part_name(std::string_view file, std::size_t part) { return fmt::format("{}_{}", file, part); }
 
 std::vector<int> append_parts(std::string& text, std::string_view name, const Look& look, const Model& model,
                               const std::vector<CopyPart>& all, const ModelFile& file) {
@@ -162,17 +150,15 @@ std::vector<int> append_parts(std::string& text, std::string_view name, const Lo
     const Surface& shown = whole ? part.surface : some;
     if (file.blocks == 0 && !has_faces(shown)) continue;  // as where it has only begun to grow
     parts.push_back(static_cast<int>(p));
-    text += "#declare ";
-    append_part_name(text, name, p);
-    text += " = ";
+    std::string own = part_name(name, p);
+    text += fmt::format("#declare {} = ", own);
     if (file.blocks > 0)
       append_joined(text, part, name, p);
     else
       append_mesh(text, PovSpace{kModelUnit}, skin_for(part, look, model, shown),
                   mesh_text(part, look, model, file.level));
-    text += "\n#macro ";
-    append_part_name(text, name, p);
-    text += "_Look(T) " + look_of(part, look, model, kLevels[file.level].plain) + " #end\n";
+    text += fmt::format("\n#macro {}_Look(T) {} #end\n", own,
+                        look_of(part, look, model, kLevels[file.level].plain));
   }
   return parts;
 }

@@ -1,5 +1,3 @@
-#include "emit/far.h"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -26,12 +24,11 @@ constexpr MeshText kLandText{.decimals = 1, .uv_decimals = -1},
 void append_objects(std::string& text, const PovSpace& space, const DistantTerrain& far, FarKind kind,
                     int shape, int tint) {
   std::string_view name = kKindNames[static_cast<std::size_t>(kind)];
-  std::string lines;
+  std::string lines, object = fmt::format("Far_{}{}", name, shape);
   for (const FarObject& o : far.objects) {
     if (o.kind != kind || o.shape != shape || o.tint != tint) continue;
     glm::mat3 axes = axes_of(glm::angleAxis(o.turn, Vec3(0, 1, 0)), o.size);
-    std::string line = fmt::format("object{{Far_{}{} ", name, shape);
-    if (append_matrix(line, space, axes, o.foot, {.decimals = 3, .shift_decimals = 1})) lines += line + "}\n";
+    append_object(lines, space, object, axes, o.foot, {.decimals = 3, .shift_decimals = 1});
   }
   if (lines.empty()) return;
   text += std::string(group_opening(lines)) + lines;
@@ -48,9 +45,8 @@ std::string far_air_text(const Scene& scene, double time) {
   Color grass = year ? grass_at(meadow.grass, *year) : meadow.grass;
   // Where it is not said what time of the year it is, woods are bare under snow.
   double snow = snow_cover(setup), leaves = year ? leaf_share(*year) : 1 - snow;
-  return "Far_Air(" + eye_text(scene, time) + "," + vector_text(drawn_daylight(setup).fog) + "," +
-         number_text(meadow.haze) + ")\n" + "Far_Year(" + vector_text(linear(grass)) + "," +
-         number_text(leaves, 3) + "," + number_text(snow, 3) + ")";
+  return call_text("Far_Air", eye_text(scene, time), drawn_daylight(setup).fog, meadow.haze) + '\n' +
+         call_text("Far_Year", linear(grass), number_text(leaves, 3), number_text(snow, 3));
 }
 
 std::string far_text(const PovSpace& space, const Scene& scene) {

@@ -11,21 +11,16 @@
 
 #include "core/frame_name.h"
 #include "core/parallel.h"
-#include "core/text.h"
 #include "draw/draw_list.h"
 #include "draw/eyes.h"
 #include "draw/focus.h"
 #include "draw/food.h"
-#include "emit/body.h"
 #include "emit/branch_materials.h"
 #include "emit/camera.h"
 #include "emit/copies.h"
 #include "emit/plant.h"
-#include "emit/polyps.h"
-#include "emit/rain.h"
 #include "emit/setting.h"
-#include "emit/snow.h"
-#include "emit/solid.h"
+#include "emit/weather.h"
 #include "world/world.h"
 
 namespace frond {
@@ -56,9 +51,7 @@ std::string food_text(const PovSpace& space, const Scene& scene, double time) {
   for (const FoodGrain& grain : food_swarm(time, scene.film.length())) {
     text += "sphere{";
     append_point(text, space, grain.at);
-    text += ',';
-    append(text, grain.radius * space.unit, kDecimals);
-    text += "}\n";
+    text += ',' + number_text(grain.radius * space.unit, kDecimals) + "}\n";
   }
   return text + "texture{Food_Grain()} no_shadow}\n" + objects;
 }
@@ -119,16 +112,20 @@ struct Fineness {
   float plain() const { return static_cast<float>(kPlainPixels * pixel); }
 };
 
-/// Writes a line for each chunk in turn, `append(texts, chunk)`, to one of `kinds` texts, which
-/// go to `receive(kind, text)`; parts of them at a time by several threads, so that neither all chunks nor
-/// all lines are held at once.
-template <class Append, class Receive>
-void write_chunks(const DrawnBranches& b, const ChunkOptions& options, std::size_t kinds,
-                  const Append& append, const Receive& receive) {
+/// Writes a line for each chunk in turn, `append(texts, chunk)`, to one of several texts: the first becomes a
+/// group with a texture, each of `others` one with a texture of its own, `texture_of(k)`. Parts of them are
+/// written at a time by several threads, so that neither all chunks nor all lines of the first are held at
+/// once. Gives how many groups there are.
+template <class Append, class Texture>
+std::size_t write_chunks(const DrawnBranches& b, const ChunkOptions& options, std::size_t others,
+                         const Append& append, const std::string& texture, const Texture& texture_of,
+                         const Out& out) {
   std::vector<std::int32_t> first = parts_of(b.rest());
   float longest = b.rest().longest();
   std::size_t at_once = std::min<std::size_t>(first.size() - 1, kPartsAtOnce);
-  std::vector<std::vector<std::string>> texts(at_once, std::vector<std::string>(kinds));
+  std::vector<std::vector<std::string>> texts(at_once, std::vector<std::string>(1 + others));
+  std::vector<std::string> held(others);
+  Group group(out);
   for (std::size_t done = 0; done + 1 < first.size(); done += at_once) {
     std::size_t count = std::min(at_once, first.size() - 1 - done);
     parallel_for(count, [&](std::size_t i) {
@@ -137,31 +134,19 @@ void write_chunks(const DrawnBranches& b, const ChunkOptions& options, std::size
            cut_chunks(b.rest(), b.pose, options, longest, first[done + i], first[done + i + 1]))
         append(texts[i], chunk);
     });
-    for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t kind = 0; kind < kinds; ++kind) receive(kind, texts[i][kind]);
+    for (std::size_t i = 0; i < count; ++i) {
+      group.add(texts[i][0]);
+      for (std::size_t k = 0; k < others; ++k) held[k] += texts[i][1 + k];
+    }
   }
-}
-
-/// Takes the first kind of text into a group, and each other one into a text of its own.
-auto parted(Group& group, std::vector<std::string>& others) {
-  return [&](std::size_t kind, const std::string& text) {
-    kind == 0 ? group.add(text) : void(others[kind - 1] += text);
-  };
-}
-
-/// Writes texts as unions, each with a texture of its own. Gives how many there are.
-template <class Texture>
-std::size_t write_unions(const std::vector<std::string>& texts, const std::string& weather, const Out& out,
-                         const Texture& texture) {
-  std::size_t unions = 0;
-  for (std::size_t k = 0; k < texts.size(); ++k) {
-    if (texts[k].empty()) continue;
-    out(group_opening(texts[k]));
-    out(texts[k]);
-    out(fmt::format("{}{}}}\n", texture(k), weather));
-    ++unions;
+  std::size_t groups = group.close(texture + "}\n");
+  for (std::size_t k = 0; k < others; ++k) {
+    if (held[k].empty()) continue;
+    Group other(out);
+    other.add(held[k]);
+    groups += other.close(texture_of(k) + "}\n");
   }
-  return unions;
+  return groups;
 }
 
 /// The sweeps of twigs: one union with one texture, and one for each other bark. Gives how many unions there
@@ -169,19 +154,15 @@ std::size_t write_unions(const std::vector<std::string>& texts, const std::strin
 template <class IsTwig>
 std::size_t write_twigs(const PovSpace& space, const DrawnBranches& b, const ChunkOptions& options,
                         std::size_t index, const Fineness& fine, const IsTwig& is_twig, const Out& out) {
-  Group group(out);
   const BranchLook& look = b.look();
-  std::vector<std::string> others(look.others.size());
   auto append = [&](std::vector<std::string>& texts, const Chunk& chunk) {
     if (!is_twig(chunk.first)) return;
-    std::string& text = texts[others.empty() ? 0 : look.other(look.color_at(b.model, chunk.first))];
+    std::string& text = texts[look.others.empty() ? 0 : look.other(look.color_at(b.model, chunk.first))];
     if (append_sweep(text, space, b.rest(), b.pose, chunk, fine.within(), fine.decimals)) text += "}\n";
   };
-  write_chunks(b, options, 1 + others.size(), append, parted(group, others));
   std::string weather = weather_over(b.traits.snowy, b.traits.wet, Wetting::wood);
-  std::size_t groups = group.close(fmt::format("{}{}}}\n", skin_texture(index), weather));
-  return groups + write_unions(others, weather, out,
-                               [&](std::size_t k) { return skin_texture(index + look.color_of(k + 1)); });
+  auto texture_of = [&](std::size_t k) { return skin_texture(index + look.color_of(k + 1)) + weather; };
+  return write_chunks(b, options, look.others.size(), append, skin_texture(index) + weather, texture_of, out);
 }
 
 /// The sweeps of all chunks that are no twigs; those that show no pattern share textures. Gives how many
@@ -189,10 +170,9 @@ std::size_t write_twigs(const PovSpace& space, const DrawnBranches& b, const Chu
 template <class IsTwig>
 std::size_t write_sweeps(const PovSpace& space, const DrawnBranches& b, const ChunkOptions& options,
                          std::size_t index, const Fineness& fine, const IsTwig& is_twig, const Out& out) {
-  Group group(out);
   bool whole = b.one_texture();
   SharedTextures shared{b, fine.dot()};
-  std::vector<std::string> plain(whole ? 0 : shared.count());
+  std::string weather = weather_over(b.traits.snowy, b.traits.wet, Wetting::wood);
   auto append = [&](std::vector<std::string>& texts, const Chunk& chunk) {
     if (is_twig(chunk.first)) return;
     bool is_plain = !whole && b.rest().radius[static_cast<std::size_t>(chunk.first)] < fine.plain();
@@ -202,14 +182,13 @@ std::size_t write_sweeps(const PovSpace& space, const DrawnBranches& b, const Ch
     if (!own && (!whole || b.slanted(chunk))) {
       text += ' ';
       append_chunk_texture(text, space, b, chunk, index);
-      if (!whole) text += weather_over(b.traits.snowy, b.traits.wet, Wetting::wood);
+      if (!whole) text += weather;
     }
     text += "}\n";
   };
-  write_chunks(b, options, 1 + plain.size(), append, parted(group, plain));
-  std::string weather = weather_over(b.traits.snowy, b.traits.wet, Wetting::wood);
-  std::size_t groups = group.close(whole ? fmt::format("{}{}}}\n", skin_texture(index), weather) : "}\n");
-  return groups + write_unions(plain, weather, out, [&](std::size_t k) { return shared.text(k, index); });
+  auto texture_of = [&](std::size_t k) { return shared.text(k, index) + weather; };
+  return write_chunks(b, options, whole ? 0 : shared.count(), append,
+                      whole ? skin_texture(index) + weather : "", texture_of, out);
 }
 
 /// Gives how many objects it is.
@@ -347,10 +326,10 @@ Result<FrameCount> write_frame(const Scene& scene, const FrameParts& parts, std:
     if (hole == "height") return out(number_text(film.drawn_size()[1]));
     if (hole == "unit") return out(number_text(parts.space.unit));
     if (hole == "quality") return out(number_text(static_cast<int>(film.quality)));
-    if (hole == "light") {
-      if (parts.light.empty()) return;
-      return out("+RFI +RF" + (parts.light == kOwnLight ? light_name(frame) : parts.light) + " ");
-    }
+    if (hole == "light")
+      return out(parts.light.empty()        ? ""
+                 : parts.light == kOwnLight ? "+RFI +RF" + light_name(frame) + " "
+                                            : "+RFI +RF" + parts.light + " ");
     if (hole == "tone")
       return out(tone_text(film, camera, std::max(exposure, 1), all) + mist_text(film, scene.setup, time));
     if (hole == "time") return out(number_text(time));
@@ -377,21 +356,12 @@ Result<FrameCount> write_frame(const Scene& scene, const FrameParts& parts, std:
       if (film.background == Background::transparent) return;
       out(adrift_text(parts.space, scene, time));
       if (film.transparent()) return;
-      return out(streaks_text(parts.space, scene, time) + flakes_text(parts.space, scene, time));
+      return out(falling_text(parts.space, scene, time));
     }
     errors.push_back({"templates/frame.pov", "no such hole: {{" + std::string(hole) + "}}"});
   });
   if (!errors.empty()) return errors;
   return count;
-}
-
-Result<std::string> frame_text(const Scene& scene, const FrameParts& parts, std::string_view layout,
-                               int frame) {
-  std::string text;
-  Result<FrameCount> written =
-      write_frame(scene, parts, layout, frame, [&](std::string_view piece) { text += piece; });
-  if (!written) return written.errors();
-  return text;
 }
 
 }  // namespace frond

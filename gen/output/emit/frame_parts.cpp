@@ -1,20 +1,18 @@
-#include "emit/frame_parts.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
-#include <span>
 
+#include "appearance/bleaching.h"
 #include "core/content.h"
 #include "core/parallel.h"
-#include "core/text.h"
 #include "draw/eyes.h"
 #include "emit/branch_materials.h"
 #include "emit/copies.h"
+#include "emit/frame.h"
 #include "emit/plant.h"
 #include "emit/setting.h"
-#include "emit/snow.h"
+#include "emit/weather.h"
 
 namespace frond {
 
@@ -26,6 +24,19 @@ constexpr std::size_t kAside = 4'000'000;  // bytes that are not worth a file
 bool is_shaded(const Specimen& b) {
   return !b.model.light.empty() ||
          std::ranges::any_of(b.model.solids.shapes, [](const Solid& s) { return !s.light.empty(); });
+}
+
+/// Declares `Bleaching`, by which macros know what becomes of living skin in the shade.
+void append_bleaching(std::string& text) {
+  const Bleaching& b = kBleaching;
+  text += "#declare Bleaching = array[5]{";
+  append_vector(text, 5, b.dead_light, b.pale_light, b.living_light);
+  for (Vec3 light : {b.lime, b.turf}) text += ',', append_light(text, light);
+  text += ',';
+  append_vector(text, 5, b.kept, b.lime_least, b.lime_by_gray);
+  text += ',';
+  append_vector(text, 5, b.turf_least, b.turf_by_gray, b.most_gray);
+  text += "};\n";
 }
 
 /// Puts what is the same in all frames of a film into a file that they include, named by what is in it.
@@ -50,14 +61,18 @@ FrameParts prepare_frames(const Scene& scene, CopyPlan plan, bool for_film) {
     parts.first_skin.push_back(skins);
     skins += b.look.branches.drawn() ? b.look.branches.colors() : 0;
   }
-  std::string count = number_text(static_cast<double>(std::max<std::size_t>(1, skins)));
+  skins = std::max<std::size_t>(1, skins);
   parts.materials =
-      "#declare Skin = array[" + count + "];\n#declare Skin_Pigment = array[" + count + "][2];\n";
+      fmt::format("#declare Skin = array[{0}];\n#declare Skin_Pigment = array[{0}][2];\n", skins);
   if (std::ranges::any_of(scene.specimens, is_shaded)) append_bleaching(parts.materials);
   if (std::ranges::any_of(scene.specimens, [](const Specimen& b) { return !b.model.light.empty(); }))
     parts.materials +=
-        "#declare Skin_Bleached = array[" + count + "];\n#declare Skin_Dead = array[" + count + "];\n";
-  append_skins(parts.materials, scene, parts.first_skin);
+        fmt::format("#declare Skin_Bleached = array[{0}];\n#declare Skin_Dead = array[{0}];\n", skins);
+  for (std::size_t i = 0; i < scene.specimens.size(); ++i) {
+    const Specimen& b = scene.specimens[i];
+    append_skin_declarations(parts.materials, b.look.branches, b.brightness, parts.first_skin[i],
+                             !b.model.light.empty(), b.name);
+  }
   parts.materials +=
       prototypes_text(parts.space, scene, parts.pixel) + bough_snow_declarations(parts.space, scene);
   if (for_film) parts.solids = drawn_solids(scene);

@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <span>
 
-#include "core/text.h"
 #include "draw/solids.h"
 
 namespace frond {
@@ -21,25 +18,8 @@ constexpr const char* kTissueMacros[] = {"Plant_Leaf",  "Plant_Petal", "Plant_He
                                          "Plant_Fruit", "Plant_Fruit", "Ivy_Leaf"};
 
 /// `Organ2_0_1`: the shape of a part of an organ of an entry of the preset.
-void append_organ_name(std::string& text, std::size_t entry, std::size_t prototype, std::size_t part) {
-  text += "Organ";
-  append_index(text, entry);
-  text += '_';
-  append_index(text, prototype);
-  text += '_';
-  append_index(text, part);
-}
-
-/// `Plant_Leaf(color, second, shade)`
-std::string look(std::string_view macro, const Color& color, const Color& second, std::size_t shade) {
-  std::string text(macro);
-  text += '(';
-  append_color(text, color);
-  text += ',';
-  append_color(text, second);
-  text += ',';
-  append_index(text, shade);
-  return text + ')';
+std::string organ_name(std::size_t entry, std::size_t prototype, std::size_t part) {
+  return fmt::format("Organ{}_{}_{}", entry, prototype, part);
 }
 
 /// The texture of a leaf that shows the picture `name`.
@@ -60,18 +40,16 @@ std::size_t write_group(const PovSpace& space, const DrawList& drawn, const Orga
   const Prototype& prototype = drawn.model.prototypes[group.prototype];
   MatrixText how = matrix_text_for(space, static_cast<double>(reach_of(prototype)), pixel);
   std::string lines;
-  for (const OrganPlace& place : drawn.organs.places(group)) {
+  for (const OrganPlace& place : drawn.organs.places(group))
     if (append_matrix(lines, space, axes_of(place.turn, place.scale), place.at, how)) lines += "}\n";
-  }
   if (lines.empty()) return 0;
   std::string text;
   for (std::size_t part = 0; part < prototype.parts.size(); ++part) {
     text += group_opening(lines);
+    std::string object = "object{" + organ_name(drawn.traits.entry, group.prototype, part) + ' ';
     for (std::size_t from = 0; from < lines.size();) {
       std::size_t to = lines.find('\n', from) + 1;
-      text += "object{";
-      append_organ_name(text, drawn.traits.entry, group.prototype, part);
-      text += ' ';
+      text += object;
       text.append(lines, from, to - from);
       from = to;
       if (text.size() > kPiece) out(text), text.clear();
@@ -94,8 +72,8 @@ std::string tissue_text(Tissue tissue, const Color& color, const Color& second, 
                         const std::optional<Luster>& luster) {
   if (tissue == Tissue::dew) return "texture{Plant_Dew()}interior{ior 1.33}";
   std::string_view macro = kTissueMacros[static_cast<std::size_t>(tissue)];
-  std::string text = lustrous(look(macro, color, second, shade), luster, relief_macro(tissue), {});
-  if (tissue == Tissue::ivy) text += "interior_texture{" + look("Ivy_Under", color, second, shade) + '}';
+  std::string text = lustrous(call_text(macro, color, second, shade), luster, relief_macro(tissue), {});
+  if (tissue == Tissue::ivy) text += "interior_texture{" + call_text("Ivy_Under", color, second, shade) + '}';
   return text;
 }
 
@@ -144,9 +122,7 @@ std::string prototypes_text(const PovSpace& space, const Scene& scene, std::span
   for (const Shapes& shapes : entries) {
     for (std::size_t p = 0; p < shapes.used.size(); ++p) {
       for (std::size_t part = 0; shapes.used[p] && part < shapes.used[p]->parts.size(); ++part) {
-        text += "#declare ";
-        append_organ_name(text, shapes.entry, p, part);
-        text += " = ";
+        text += fmt::format("#declare {} = ", organ_name(shapes.entry, p, part));
         const Surface& whole = shapes.used[p]->parts[part].surface;
         std::optional<Coarser> less =
             coarser(whole, shapes.pixel < kUnknown ? shapes.pixel : 0, scene.film.quality);

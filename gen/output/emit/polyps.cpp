@@ -1,9 +1,7 @@
-#include "emit/polyps.h"
-
 #include <algorithm>
 #include <cmath>
 
-#include "core/text.h"
+#include "emit/solid.h"
 
 namespace frond {
 
@@ -52,22 +50,14 @@ Surface polyp_surface(double open) {
 
 ObjectText polyps_text(const PovSpace& space, const DrawnPolyps& drawn, double time) {
   std::string lines;
-  for (std::size_t i = 0; i < drawn.frames.size(); ++i) {
-    std::size_t line = lines.size();
-    lines += "object{Polyp ";
-    if (append_matrix(lines, space, drawn.frames[i], drawn.positions[i]))
-      lines += "}\n";
-    else
-      lines.resize(line);
-  }
+  for (std::size_t i = 0; i < drawn.frames.size(); ++i)
+    append_object(lines, space, "Polyp", drawn.frames[i], drawn.positions[i]);
   if (lines.empty()) return {};
   std::string text = "#declare Polyp = ";
   append_mesh(text, space, polyp_surface(std::clamp(drawn.polyps->open.at(time), 0.0, 1.0)));
-  text += "\nunion{\n" + lines + "texture{Reef_Polyp(";
-  append_color(text, drawn.color);
-  text += ',';
-  append(text, drawn.polyps->glow, 4);
-  return {text + ")}}\n", 1};
+  text += "\nunion{\n" + lines + "texture{";
+  append_call(text, "Reef_Polyp", drawn.color, number_text(drawn.polyps->glow, 4));
+  return {text + "}}\n", 1};
 }
 
 }  // namespace frond

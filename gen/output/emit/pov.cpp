@@ -1,10 +1,11 @@
 #include "emit/pov.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/matrix.hpp>
 
-#include "core/text.h"
 #include "geometry/far.h"
 
 namespace frond {
@@ -24,24 +25,6 @@ bool has_inverse(const glm::mat3& m, int decimals) {
   double box = glm::length(whole[0]) * glm::length(whole[1]) * glm::length(whole[2]);
   return std::abs(glm::determinant(whole)) > std::max(0.5, 1e-12 * box);
 }
-
-/// The end of a piece of SDL with as many points as it turned out to have. The count comes before the points,
-/// so room is left for it.
-class CountedList {
- public:
-  CountedList(std::string& text, std::size_t digits) : text_(text), place_(text.size()) {
-    text_.append(digits, ' ');
-  }
-  void close(std::size_t count) {
-    std::string digits;
-    append_integer(digits, static_cast<long long>(count));
-    text_.replace(place_, digits.size(), digits);
-  }
-
- private:
-  std::string& text_;
-  std::size_t place_;
-};
 
 /// Whether the normals are those of the triangles, or nearly.
 bool is_flat(const Surface& s, float cosine) {
@@ -84,21 +67,15 @@ std::string weather_over(bool snowy, bool wet, Wetting wetting) {
 }
 
 void append_point(std::string& text, const PovSpace& space, Vec3 at, int decimals) {
-  text += '<';
-  append_list(text, decimals, at.x * space.unit, at.y * space.unit, -at.z * space.unit);
-  text += '>';
+  append_vector(text, decimals, at.x * space.unit, at.y * space.unit, -at.z * space.unit);
 }
 
 void append_light(std::string& text, Vec3 light) {
-  text += '<';
-  append_list(text, kDecimals, light.r, light.g, light.b);
-  text += '>';
+  append_vector(text, kDecimals, light.r, light.g, light.b);
 }
 
 void append_direction(std::string& text, Vec3 direction) {
-  text += '<';
-  append_list(text, kDecimals, direction.x, direction.y, -direction.z);
-  text += '>';
+  append_vector(text, kDecimals, direction.x, direction.y, -direction.z);
 }
 
 bool append_matrix(std::string& text, const PovSpace& space, const glm::mat3& m, Vec3 shift,
@@ -117,10 +94,38 @@ bool append_matrix(std::string& text, const PovSpace& space, const glm::mat3& m,
   return true;
 }
 
+void append_object(std::string& text, const PovSpace& space, std::string_view name, const glm::mat3& matrix,
+                   Vec3 shift, const MatrixText& how) {
+  std::size_t line = text.size();
+  text += "object{";
+  text += name;
+  text += ' ';
+  if (append_matrix(text, space, matrix, shift, how))
+    text += "}\n";
+  else
+    text.resize(line);
+}
+
 void append_color(std::string& text, const Color& color) {
-  text += "srgb<";
-  append_list(text, 4, color.red, color.green, color.blue);
-  text += '>';
+  text += "srgb";
+  append_vector(text, 4, color.red, color.green, color.blue);
+}
+
+void declare_mask(std::string& text, const PovSpace& space, const Mask& mask, const std::string& name) {
+  Axis axis = mask.along.value_or(Axis::y);
+  Vec2 low = glm::min(mask.area[0], mask.area[1]), size = glm::max(mask.area[0], mask.area[1]) - low;
+  // Pictures repeat: beyond the middles of its outer pixels it is as there.
+  auto share = [&](std::string_view of, int i) {
+    double half = 0.5 / (i == 0 ? mask.width : mask.height);
+    return fmt::format("min({},max({},({}-({}))/{}))", number_text(1 - half, 6), number_text(half, 6), of,
+                       number_text(low[i] * space.unit, 6),
+                       number_text(std::max(size[i], 1e-6f) * space.unit, 6));
+  };
+  std::string across = share(axis == Axis::x ? "-z" : "x", 0), up = share(axis == Axis::y ? "-z" : "y", 1);
+  text += fmt::format(
+      "#declare {0}_Picture = function{{pigment{{image_map{{png \"{1}\" gamma 1 interpolate 2}}}}}}\n"
+      "#declare {0} = function(x,y,z){{{0}_Picture({2},{3},0).red}}\n",
+      name, mask.picture_name(), across, axis == Axis::y ? "1-" + up : up);
 }
 
 void append_comment(std::string& text, std::string_view words) {
@@ -139,44 +144,27 @@ bool has_faces(const Surface& surface) {
 }
 
 void append_mesh(std::string& text, const PovSpace& space, const Surface& surface, const MeshText& how) {
-  auto list = [&](std::string_view name, std::size_t count) {
-    text += name;
-    text += '{';
-    append_integer(text, static_cast<long long>(count));
-  };
   text += "mesh2{\n";
-  list("vertex_vectors", surface.position.size());
-  for (const Vec3& p : surface.position) text += ",", append_point(text, space, p, how.decimals);
-  if (!is_flat(surface, how.flat)) {
-    text += "}\n";
-    list("normal_vectors", surface.normal.size());
-    for (const Vec3& n : surface.normal) {
-      text += ",<";
-      append_list(text, 3, n.x, n.y, -n.z);
-      text += '>';
-    }
-  }
-  if (!surface.uv.empty() && how.uv_decimals >= 0) {
-    text += "}\n";
-    list("uv_vectors", surface.uv.size());
-    for (const Vec2& at : surface.uv) {
-      text += ",<";
-      append_list(text, how.uv_decimals, at.x, at.y);
-      text += '>';
-    }
-  }
-  text += "}\nface_indices{";
-  CountedList faces(text, 9);
-  std::size_t count = 0;
+  append_items(text, "vertex_vectors", surface.position,
+               [&](Vec3 p) { append_point(text, space, p, how.decimals); });
+  if (!is_flat(surface, how.flat))
+    append_items(text, "normal_vectors", surface.normal,
+                 [&](Vec3 n) { append_vector(text, 3, n.x, n.y, -n.z); });
+  if (!surface.uv.empty() && how.uv_decimals >= 0)
+    append_items(text, "uv_vectors", surface.uv,
+                 [&](Vec2 at) { append_vector(text, how.uv_decimals, at.x, at.y); });
+  text += "face_indices{";
+  std::size_t count = 0, place = text.size();
+  text.append(9, ' ');  // room for the count
   for (auto [a, b, c] : surface.triangle) {
     if (is_sliver(surface, a, b, c)) continue;
     // The mirror turns the triangle over, and this turns it back.
-    text += ",<";
-    append_list(text, 0, a, c, b);
-    text += '>';
+    text += ',';
+    append_vector(text, 0, a, c, b);
     ++count;
   }
-  faces.close(count);
+  std::string digits = std::to_string(count);
+  text.replace(place, digits.size(), digits);
   text += "}}";
 }
 

@@ -2,7 +2,10 @@
 
 #include <string>
 #include <string_view>
+#include <type_traits>
 
+#include "core/mask.h"
+#include "core/text.h"
 #include "core/vec.h"
 #include "draw/sweep.h"
 #include "model/surface.h"
@@ -43,6 +46,14 @@ int decimals_for(const PovSpace& space, double pixel);
 /// The textures of water and of snow, over that of an object; none where it is dry.
 std::string weather_over(bool snowy, bool wet, Wetting wetting);
 
+/// Appends `<x,y,...>`.
+template <class... Numbers>
+void append_vector(std::string& text, int decimals, Numbers... numbers) {
+  text += '<';
+  append_list(text, decimals, numbers...);
+  text += '>';
+}
+
 /// Appends `<x,y,z>` of a place in the world.
 void append_point(std::string& text, const PovSpace& space, Vec3 at, int decimals = kDecimals);
 
@@ -63,11 +74,49 @@ MatrixText matrix_text_for(const PovSpace& space, double reach, double pixel);
 [[nodiscard]] bool append_matrix(std::string& text, const PovSpace& space, const glm::mat3& matrix,
                                  Vec3 shift, const MatrixText& how = {});
 
+/// Appends a line that places what is declared by a name: `object{Name matrix<...>}`. Nothing where the
+/// matrix has no inverse.
+void append_object(std::string& text, const PovSpace& space, std::string_view name, const glm::mat3& matrix,
+                   Vec3 shift, const MatrixText& how = {});
+
 /// Appends `<r,g,b>` of linear light.
 void append_light(std::string& text, Vec3 light);
 
 /// Appends `srgb <r,g,b>`.
 void append_color(std::string& text, const Color& color);
+
+/// Appends `macro(a,b,...)`. Its arguments are colours, linear light, numbers and texts, which are taken as
+/// they are.
+template <class First, class... Rest>
+void append_call(std::string& text, std::string_view macro, const First& first, const Rest&... rest) {
+  auto add = [&]<class Argument>(char before, const Argument& argument) {
+    text += before;
+    if constexpr (std::is_same_v<Argument, Color>)
+      append_color(text, argument);
+    else if constexpr (std::is_same_v<Argument, Vec3>)
+      append_light(text, argument);
+    else if constexpr (std::is_arithmetic_v<Argument>)
+      append(text, static_cast<double>(argument));
+    else
+      text += argument;
+  };
+  text += macro;
+  add('(', first);
+  (add(',', rest), ...);
+  text += ')';
+}
+
+/// The same as a new text.
+template <class... Arguments>
+std::string call_text(std::string_view macro, const Arguments&... arguments) {
+  std::string text;
+  append_call(text, macro, arguments...);
+  return text;
+}
+
+/// Declares a function of that name which is the mask at a place of POV-Ray's space, as Mask::at() is. The
+/// mask has an area.
+void declare_mask(std::string& text, const PovSpace& space, const Mask& mask, const std::string& name);
 
 /// Appends a comment that cannot be ended by what is in it.
 void append_comment(std::string& text, std::string_view words);
@@ -86,6 +135,19 @@ struct MeshText {
 
 /// Whether a mesh has triangles that are large enough to be drawn; POV-Ray refuses one without.
 bool has_faces(const Surface& surface);
+
+/// Appends a list of a mesh2: `name{count`, its items, `,` before each, and `}`.
+template <class Items, class Append>
+void append_items(std::string& text, std::string_view name, const Items& items, const Append& append_item) {
+  text += name;
+  text += '{';
+  append_index(text, items.size());
+  for (const auto& item : items) {
+    text += ',';
+    append_item(item);
+  }
+  text += "}\n";
+}
 
 /// Appends `mesh2 { ... }` without a texture, with the surface's `uv` where it has them. Triangles that are
 /// points are left out.

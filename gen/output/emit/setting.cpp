@@ -5,13 +5,10 @@
 #include <algorithm>
 
 #include "core/linear.h"
-#include "core/text.h"
 #include "draw/eyes.h"
-#include "emit/branch_materials.h"
-#include "emit/far.h"
-#include "emit/rain.h"
 #include "emit/setting_parts.h"
 #include "emit/solid.h"
+#include "emit/weather.h"
 #include "settings/forest.h"
 #include "settings/settings.h"
 
@@ -52,7 +49,7 @@ std::string includes_text(const Scene& scene) {
   std::string text;
   for (std::string_view name : names) {
     if (!text.empty()) text += '\n';
-    text += "#include \"frond_" + std::string(name) + ".inc\"";
+    text += fmt::format("#include \"frond_{}.inc\"", name);
   }
   return text;
 }
@@ -124,13 +121,12 @@ std::string adrift_text(const PovSpace& space, const Scene& scene, double time) 
   std::string text;
   std::size_t number = 0;
   for (const ScatteredInstances& kind : scene.ground->adrift(time, scene.film.length())) {
-    std::string lines;
-    for (const ScatteredInstances::At& at : kind.at) {
-      std::string line = fmt::format("object{{Adrift{} ", number);
-      if (append_matrix(line, space, axes_of(at.turn, at.size), at.place)) lines += line + "}\n";
-    }
+    std::string lines, name = fmt::format("Adrift{}", number);
+    for (const ScatteredInstances::At& at : kind.at)
+      append_object(lines, space, name, axes_of(at.turn, at.size), at.place);
     if (lines.empty()) continue;
-    text += fmt::format("#declare Adrift{} = ", number++);
+    ++number;
+    text += "#declare " + name + " = ";
     append_mesh(text, space, *kind.shape);
     text += "\nunion{\n" + lines + "texture{pigment{" + color_text(kind.color) +
             "}finish{ambient Frond_Ambient diffuse 0.6}}}\n";

@@ -20,9 +20,8 @@ std::string wood_text(const Scene& scene, double time) {
   Daylight light = drawn_daylight(setup);
   const auto& ground = ground_as<ForestGround>(*scene.ground);
   return globals_text("Meadow") + sky_text(sky, meadow.clouds) + water_text(ground.stream()) +
-         "Forest_Setting(" + eye_text(scene, time) + "," + lamp_text(sky) + "," + vector_text(light.fog) +
-         "," + number_text(light.fade) + "," + vector_text(light.mist) + "," + number_text(forest.mist) +
-         "," + number_text(ground.valley) + ")";
+         call_text("Forest_Setting", eye_text(scene, time), lamp_text(sky), light.fog, light.fade, light.mist,
+                   forest.mist, ground.valley);
 }
 
 std::string forest_floor_text(const PovSpace& space, const Scene& scene) {

@@ -16,8 +16,8 @@ std::string sky_and_pond_text(const Scene& scene, double time) {
   const PondShape& pond = garden.pond;
   bool ground = scene.film.background != Background::transparent;
   if (ground && pond.size.x > 0 && pond.size.y > 0)
-    text += "\nGarden_Water(" + direction_text(Vec3(pond.center.x, pond.level, pond.center.y)) + "," +
-            number_text(1.35 * std::max(pond.size.x, pond.size.y)) + ")";
+    append_call(text += '\n', "Garden_Water", direction_text(Vec3(pond.center.x, pond.level, pond.center.y)),
+                1.35 * std::max(pond.size.x, pond.size.y));
   return text;
 }
 

@@ -13,10 +13,10 @@ std::string mountain_text(const PovSpace& space, const SceneSetup& setup) {
   Sky sky = meadow_sky(setup);
   std::string text = "object{\n";
   append_mesh(text, space, mountain_surface(*meadow.mountain, sky.lamp));
-  text += "\ntexture{Meadow_Rock(" + color_text(meadow.mountain->rock) + "," + color_text(meadow.grass) +
-          "," + lamp_text(sky) + "," + air_text(sky) + ")}";
-  return text + "texture{Meadow_Veil(" + air_text(sky) + "," + number_text(meadow.haze) +
-         ")}no_shadow no_reflection no_radiosity}\n";
+  append_call(text += "\ntexture{", "Meadow_Rock", meadow.mountain->rock, meadow.grass, lamp_text(sky),
+              air_text(sky));
+  append_call(text += "}texture{", "Meadow_Veil", air_text(sky), meadow.haze);
+  return text + "}no_shadow no_reflection no_radiosity}\n";
 }
 
 std::string summer_text(const Scene& scene, double time) {

@@ -2,13 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
-#include "core/text.h"
 #include "draw/ambience.h"
 #include "draw/solids.h"
-#include "emit/mask.h"
 #include "settings/settings.h"
 
 namespace frond {
@@ -26,9 +23,9 @@ std::string color_text(const Color& c) {
 }
 
 std::string light_text(Vec3 light) {
-  std::string text = "rgb <";
-  append_list(text, 6, light.r, light.g, light.b);
-  return text + '>';
+  std::string text = "rgb ";
+  append_vector(text, 6, light.r, light.g, light.b);
+  return text;
 }
 
 std::string eye_text(const Scene& scene, double time) {
@@ -42,9 +39,7 @@ std::string look_text(const Scene& scene, double time) {
 std::string floor_text(const PovSpace& space, const Scene& scene, std::string_view texture) {
   std::string text = "object{\n";
   append_mesh(text, space, drawn_floor(scene));
-  text += "\ntexture{";
-  text += texture;
-  text += '}' + weather_over(false, is_rainy(scene.setup), Wetting::soil);
+  text += fmt::format("\ntexture{{{}}}", texture) + weather_over(false, is_rainy(scene.setup), Wetting::soil);
   for (const Specimen& s : scene.specimens) {
     const std::vector<Solid>& shapes = s.model.solids.shapes;
     if (shapes.empty() || shapes[0].material.matter != Matter::snow) continue;
@@ -54,19 +49,11 @@ std::string floor_text(const PovSpace& space, const Scene& scene, std::string_vi
   return text + "}\n";
 }
 
-namespace {
-
-std::string vectors_text(std::initializer_list<Vec3> list) {
+std::string vector_text(Vec3 light) {
   std::string text;
-  for (const Vec3& v : list) {
-    text += text.empty() ? "<" : ",<";
-    append_list(text, 4, v.x, v.y, v.z);
-    text += '>';
-  }
+  append_light(text, light);
   return text;
 }
-
-}  // namespace
 
 std::string sky_text(const Sky& sky, double clouds) {
   // Rows of one height, finer near the horizon, each from the sun's side to the other.
@@ -78,65 +65,40 @@ std::string sky_text(const Sky& sky, double clouds) {
   Vec3 aside(flat.z, 0, -flat.x);
   std::string text = "#declare Sky_Clear = pigment{function{min(1,max(0,y))}pigment_map{\n";
   for (double height : kHeights) {
-    text += '[';
-    append(text, height, 3);
-    text += " Sky_Round(" + direction_text(flat) + ")color_map{";
+    text += fmt::format("[{} Sky_Round({})color_map{{", number_text(height, 3), direction_text(flat));
     double level = std::sqrt(1 - height * height);
     for (int i = 0; i <= kTurns; ++i) {
       double turn = kPi * i / kTurns;
       Vec3 direction = flat * static_cast<float>(level * std::cos(turn)) +
                        aside * static_cast<float>(level * std::sin(turn));
-      text += '[';
-      append(text, static_cast<double>(i) / kTurns, 4);
-      text += " rgb" + vectors_text({sky.from(direction + Vec3(0, height, 0))}) + "]";
+      text += fmt::format("[{} rgb{}]", number_text(static_cast<double>(i) / kTurns, 4),
+                          vector_text(sky.from(direction + Vec3(0, height, 0))));
     }
     text += "}]\n";
   }
-  text += "}}\nMeadow_Sky(" + direction_text(sky.sun) + "," + vectors_text({sky.glow, sky.cloud, sky.shade}) +
-          "," + number_text(clouds) + ")\n";
-  return text;
+  text += "}}\n";
+  append_call(text, "Meadow_Sky", direction_text(sky.sun), sky.glow, sky.cloud, sky.shade, clouds);
+  return text + '\n';
 }
-
-std::string vector_text(Vec3 light) { return vectors_text({light}); }
 
 std::string globals_text(std::string_view prefix) {
-  return std::string(prefix) + "_Globals(" + number_text(kLightErrorBound) + ")\n";
+  return call_text(std::string(prefix) + "_Globals", kLightErrorBound) + '\n';
 }
 
-std::string backdrop_text(const Daylight& light) {
-  std::string text =
-      "#declare Water_Backdrop = array[" + number_text(static_cast<double>(light.backdrop.size())) + "]{";
-  for (const BackdropStop& stop : light.backdrop) {
-    text += text.back() == '{' ? "<" : ",<";
-    append_list(text, 6, stop.light.r, stop.light.g, stop.light.b, stop.height);
-    text += '>';
-  }
-  return text + "};\n";
-}
+std::string air_text(const Sky& sky) { return vector_text(sky.zenith) + "," + vector_text(sky.horizon); }
 
-std::string air_text(const Sky& sky) { return vectors_text({sky.zenith, sky.horizon}); }
-
-std::string lamp_text(const Sky& sky) {
-  return direction_text(sky.lamp) + "," + vectors_text({sky.lamplight});
-}
+std::string lamp_text(const Sky& sky) { return direction_text(sky.lamp) + "," + vector_text(sky.lamplight); }
 
 std::string country_text(const Sky& sky, const Meadow& meadow, Vec3 air) {
-  return sky_text(sky, meadow.clouds) + "Meadow_Setting(" + lamp_text(sky) + "," + vector_text(air) + "," +
-         number_text(meadow.haze) + ")";
-}
-
-void append_name(std::string& text, std::string_view name, std::size_t index) {
-  text += name;
-  append_integer(text, static_cast<long long>(index));
+  return sky_text(sky, meadow.clouds) + call_text("Meadow_Setting", lamp_text(sky), air, meadow.haze);
 }
 
 void append_shapes(std::string& text, const PovSpace& space, const std::vector<Surface>& shapes,
                    std::string_view name) {
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    append_name(text, "#declare " + std::string(name), i);
-    text += " = ";
+    text += fmt::format("#declare {}{} = ", name, i);
     append_mesh(text, space, shapes[i]);
-    text += "\n";
+    text += '\n';
   }
 }
 
@@ -148,14 +110,7 @@ void append_patches(std::string& text, const PovSpace& space, const std::vector<
   for (const Patch& patch : patches) {
     auto shape = static_cast<std::size_t>(patch.shape);
     if (!missing.empty() && missing[shape]) continue;
-    std::size_t line = text.size();
-    text += "object{";
-    append_name(text, name, shape);
-    text += ' ';
-    if (append_matrix(text, space, patch.axes(), patch.at))
-      text += "}\n";
-    else
-      text.resize(line);
+    append_object(text, space, fmt::format("{}{}", name, shape), patch.axes(), patch.at);
   }
   if (text.size() == empty) return text.resize(start);
   text += texture;
@@ -172,10 +127,9 @@ void append_turf(std::string& text, const PovSpace& space, const Lawn& lawn, Sur
     const Surface& mesh = lawn.turf[i].*part;
     missing.push_back(mesh.triangle.empty());
     if (missing.back()) continue;
-    append_name(text, "#declare " + std::string(name), i);
-    text += " = ";
+    text += fmt::format("#declare {}{} = ", name, i);
     append_mesh(text, space, mesh);
-    text += "\n";
+    text += '\n';
   }
   append_patches(text, space, lawn.turf_patches, name, texture, missing);
 }

@@ -4,7 +4,6 @@
 #include <string_view>
 #include <vector>
 
-#include "core/text.h"
 #include "emit/setting.h"
 #include "settings/meadow.h"
 
@@ -23,9 +22,6 @@ std::string look_text(const Scene& scene, double time);
 
 /// The floor as an object with a texture.
 std::string floor_text(const PovSpace& space, const Scene& scene, std::string_view texture);
-
-/// Appends `Turf12`.
-void append_name(std::string& text, std::string_view name, std::size_t index);
 
 /// Declares shapes as Gravel0, Gravel1, ...
 void append_shapes(std::string& text, const PovSpace& space, const std::vector<Surface>& shapes,
@@ -49,11 +45,14 @@ std::string country_text(const Sky& sky, const Meadow& meadow, Vec3 air);
 std::string vector_text(Vec3 light);
 /// The global settings by the macro of a setting's file, as `Meadow` for Meadow_Globals().
 std::string globals_text(std::string_view prefix);
-/// The backdrop of underwater as `Water_Backdrop`.
-std::string backdrop_text(const Daylight& light);
-
 /// What of the year the ground shows is declared by each frame under these names.
 inline constexpr std::string_view kYearGrass = "Year_Grass", kYearLitter = "Year_Litter";
+
+/// The air before the far land and the time of its year, as a frame has them. The scene must have far land.
+std::string far_air_text(const Scene& scene, double time);
+
+/// The far land with all that stands on it, the same in each frame.
+std::string far_text(const PovSpace& space, const Scene& scene);
 
 /// A lawn of a colour, with its grass, gravel and bare earth.
 std::string lawn_text(const PovSpace& space, const Scene& scene, const Color& grass, const Color& gravel,

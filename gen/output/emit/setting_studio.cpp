@@ -9,15 +9,15 @@ namespace {
 std::string room_text(const Scene& scene, double time) {
   const auto& studio = scene.setup.block<Studio>();
   Daylight light = drawn_daylight(scene.setup);
-  std::string view = eye_text(scene, time) + "," + look_text(scene, time) + ",";
-  std::string text = "Studio_Globals()\nStudio_Room(" + view + color_text(studio.wall) + "," +
-                     number_text(studio.distance) + "," + light_text(light.backdrop.front().light) + ")";
+  std::string view = eye_text(scene, time) + "," + look_text(scene, time);
+  std::string text = "Studio_Globals()\n";
+  append_call(text, "Studio_Room", view, studio.wall, studio.distance,
+              light_text(light.backdrop.front().light));
   for (const Lamp& lamp : light.lamps) {
-    text += "\nStudio_Lamp(" + view + '<';
-    append_list(text, 6, lamp.from.x, lamp.from.y, -lamp.from.z);
-    text += ">," + light_text(lamp.light) + "," + number_text(lamp.width) + ",";
-    append_integer(text, static_cast<int>(lamp.shadows));
-    text += ')';
+    std::string from;
+    append_vector(from, 6, lamp.from.x, lamp.from.y, -lamp.from.z);
+    append_call(text += '\n', "Studio_Lamp", view, from, light_text(lamp.light), lamp.width,
+                static_cast<int>(lamp.shadows));
   }
   return text;
 }

@@ -5,7 +5,6 @@
 
 #include "core/frame_name.h"
 #include "core/linear.h"
-#include "core/text.h"
 #include "emit/setting_parts.h"
 #include "images/caustics.h"
 #include "settings/settings.h"
@@ -35,6 +34,15 @@ Result<std::vector<Picture>> caustics(const Scene& scene, double time) {
   return std::vector<Picture>{{caustics_name(scene, time), std::move(*bytes)}};
 }
 
+std::string backdrop_text(const Daylight& light) {
+  std::string text = fmt::format("#declare Water_Backdrop = array[{}]{{", light.backdrop.size());
+  for (const BackdropStop& stop : light.backdrop) {
+    if (text.back() != '{') text += ',';
+    append_vector(text, 6, stop.light.r, stop.light.g, stop.light.b, stop.height);
+  }
+  return text + "};\n";
+}
+
 /// Its macros take metres, in POV-Ray's axes.
 std::string water_text(const Scene& scene, double time) {
   const auto& water = scene.setup.block<Water>();
@@ -43,38 +51,25 @@ std::string water_text(const Scene& scene, double time) {
   std::string near = color_text(exposed == 1 ? water.near : seen_color(exposed * linear(water.near)));
   std::string sun = direction_text(water.sun);
   Daylight light = drawn_daylight(scene.setup);
-  std::string text = globals_text("Water") + backdrop_text(light) + "Water_Setting(" + eye + "," +
-                     light_text(light.fog) + "," + number_text(light.fade) + "," + sun + "," +
-                     light_text(light.sunlight) + "," + number_text(water.caustics) + ",\"" +
-                     caustics_name(scene, time) + "\")\n";
+  std::string text = globals_text("Water") + backdrop_text(light);
+  append_call(text, "Water_Setting", eye, light_text(light.fog), light.fade, sun, light_text(light.sunlight),
+              water.caustics, '"' + caustics_name(scene, time) + '"');
+  text += '\n';
   if (scene.film.transparent()) return text;
-  if (water.shafts > 0)
-    text +=
-        "Water_Shafts(" + eye + "," + look + "," + near + "," + sun + "," + number_text(water.shafts) + ")\n";
-  if (water.particles > 0)
-    text += "Water_Particles(" + eye + "," + look + "," + number_text(water.particles) + ")\n";
-  return text + "Water_Surface(" + eye + "," + near + ")";
+  if (water.shafts > 0) text += call_text("Water_Shafts", eye, look, near, sun, water.shafts) + '\n';
+  if (water.particles > 0) text += call_text("Water_Particles", eye, look, water.particles) + '\n';
+  return text + call_text("Water_Surface", eye, near);
 }
 
 void append_stones(std::string& text, const PovSpace& space, const SeaFloor& floor) {
-  for (std::size_t i = 0; i < floor.stones.size(); ++i) {
-    append_name(text, "#declare Stone", i);
-    text += " = ";
-    append_mesh(text, space, floor.stones[i]);
-    text += '\n';
-  }
+  append_shapes(text, space, floor.stones, "Stone");
   for (const StoneInstance& stone : floor.stone_instances) {
-    append_name(text, "object{Stone", static_cast<std::size_t>(stone.shape));
-    text += " scale<";
-    append_list(text, 5, stone.size.x, stone.size.y, stone.size.z);
-    text += ">rotate y*";
-    append(text, -degrees(stone.turn),
-           3);  // the mirror turns the other way round, and so do left-handed turns
-    text += " translate";
+    text += fmt::format("object{{Stone{} scale", stone.shape);
+    append_vector(text, 5, stone.size.x, stone.size.y, stone.size.z);
+    // The mirror turns the other way round, and so do left-handed turns.
+    text += "rotate y*" + number_text(-degrees(stone.turn), 3) + " translate";
     append_point(text, space, stone.at);
-    text += " texture{Rock_Texture(";
-    append_integer(text, stone.look);
-    text += ")}}\n";
+    text += fmt::format(" texture{{Rock_Texture({})}}}}\n", stone.look);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "draw/polyps.h"
 #include "draw/solids.h"
 #include "emit/pov.h"
 #include "scene/scene.h"
@@ -15,8 +16,9 @@ void append_front(std::string& text, double front);
 /// The names of the povinc files that the solids of a scene need, each once, as `stone` for frond_stone.inc.
 std::vector<std::string_view> solid_includes(const Scene& scene);
 
-/// The `texture{...}` of a material, and what is inside; the name of the povinc file that it needs.
-std::string material_text(const Material& material);
+/// The `texture{...}` of a material, on it its bands and, where it is wet, water, and what is inside; the
+/// name of the povinc file that it needs.
+std::string material_text(const Material& material, bool wet = false);
 std::string_view material_include(const Material& material);
 
 /// Declares the shapes of all solids and places them, but for those that a film sees grow or become others;
@@ -25,5 +27,8 @@ ObjectText solids_text(const PovSpace& space, const Scene& scene, const DrawnSol
 
 /// One shape of an organism, declared and placed, or as far as it has grown; `wet`: with rain on it.
 ObjectText solid_text(const PovSpace& space, const DrawnBody& body, std::size_t organism, bool wet = false);
+
+/// One union of polyps, as open as they are at a time.
+ObjectText polyps_text(const PovSpace& space, const DrawnPolyps& drawn, double time);
 
 }  // namespace frond

@@ -1,6 +1,7 @@
 #include "film/film_files.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -14,7 +15,6 @@
 #include "draw/ambience.h"
 #include "draw/solids.h"
 #include "emit/setting.h"
-#include "emit/solid.h"
 #include "film/model_summary.h"
 #include "film/soft_light.h"
 #include "images/whole.h"
@@ -24,6 +24,26 @@ namespace frond {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// Makes so many things side by side, each a step of a phase; the errors of the first that cannot be made.
+Errors make_each(const ProgressSink& watch, std::string_view phase, std::size_t count,
+                 const std::function<Errors(std::size_t)>& make) {
+  watch.begin(phase, count);
+  std::vector<Errors> errors(count);
+  parallel_for(count, [&](std::size_t i) {
+    errors[i] = make(i);
+    if (errors[i].empty()) watch.step();
+  });
+  for (Errors& list : errors)
+    if (!list.empty()) return std::move(list);
+  return {};
+}
+
+/// Writes a file whole.
+Errors put(const fs::path& file, std::string_view text) {
+  Result<bool> written = write_file(file, text);
+  return written ? Errors{} : written.errors();
+}
 
 /// With no more triangles of bodies than show at a level.
 Model for_level(Model model, int level) {
@@ -69,14 +89,9 @@ class ModelWriter {
       return grows(*one) || one->missing.empty() ||
              std::ranges::any_of(one->missing, [](const auto& of) { return !of.empty(); });
     });
-    watch.begin("models", to_grow.size());
-    std::vector<Errors> errors(to_grow.size());
-    parallel_for(to_grow.size(), [&](std::size_t i) {
-      errors[i] = grow(*to_grow[i]);
-      if (errors[i].empty()) watch.step();
-    });
-    for (const Errors& list : errors)
-      if (!list.empty()) return list;
+    Errors errors =
+        make_each(watch, "models", to_grow.size(), [&](std::size_t i) { return grow(*to_grow[i]); });
+    if (!errors.empty()) return errors;
     return joined();
   }
 
@@ -164,16 +179,14 @@ class ModelWriter {
     std::vector<ModelText> texts =
         model_texts(files, scene_.copy_sets[one.uses[0].copy_set], model, blocks_of(one.summary.surfels));
     for (std::size_t k = 0; k < files.size(); ++k) {
-      Result<bool> written = write_file(folder_ / files[k].name, texts[k].file_text());
-      if (!written) return written.errors();
+      if (Errors errors = put(folder_ / files[k].name, texts[k].file_text()); !errors.empty()) return errors;
       one.summary.parts[{files[k].level, files[k].block}] = std::move(texts[k].parts);
     }
     return write_summary(one);
   }
 
   Errors write_summary(const SownModel& one) const {
-    Result<bool> written = write_file(folder_ / one.summary_name, summary_text(one.summary));
-    return written ? Errors{} : written.errors();
+    return put(folder_ / one.summary_name, summary_text(one.summary));
   }
 
   CopyPlan joined() const {
@@ -215,24 +228,17 @@ Errors write_drawings(const Scene& scene, const fs::path& folder, const Progress
       return picture && whole_png(*picture);
     };
     if (!names.insert(drawing.names[0]).second) continue;
-    if (!std::all_of(drawing.names.begin(), drawing.names.end(), is_there)) to_draw.push_back(&drawing);
+    if (!std::ranges::all_of(drawing.names, is_there)) to_draw.push_back(&drawing);
   }
-  watch.begin("texture", to_draw.size());
-  std::vector<Errors> errors(to_draw.size());
-  parallel_for(to_draw.size(), [&](std::size_t i) {
+  return make_each(watch, "texture", to_draw.size(), [&](std::size_t i) {
     Result<std::vector<Picture>> drawn = to_draw[i]->draw();
-    if (!drawn) {
-      errors[i] = drawn.errors();
-      return;
-    }
-    for (const Picture& picture : *drawn) {
-      Result<bool> written = write_file(folder / picture.name, picture.bytes);
-      if (!written) errors[i] = written.errors();
-    }
-    watch.step();
+    return drawn ? write_pictures(folder, *drawn) : drawn.errors();
   });
-  for (const Errors& list : errors)
-    if (!list.empty()) return list;
+}
+
+Errors write_pictures(const fs::path& folder, const std::vector<Picture>& pictures) {
+  for (const Picture& picture : pictures)
+    if (Errors errors = put(folder / picture.name, picture.bytes); !errors.empty()) return errors;
   return {};
 }
 
@@ -246,8 +252,7 @@ Errors write_light(const Scene& scene, FrameParts& parts, const fs::path& folder
   if (!text) return text.errors();
   if (text->empty()) return {};
   parts.light = "light_" + content_id(*text) + ".rca";
-  Result<bool> written = write_file(folder / parts.light, *text);
-  return written ? Errors{} : written.errors();
+  return put(folder / parts.light, *text);
 }
 
 Result<FrameFile> write_frame_file(const Scene& scene, const FrameParts& parts, const std::string& layout,
@@ -258,14 +263,11 @@ Result<FrameFile> write_frame_file(const Scene& scene, const FrameParts& parts, 
     Result<std::string> light =
         soft_light_text(parts.space, scene, parts.plan.surfels, scene.film.time(frame), true);
     if (!light) return light.errors();
-    if (Result<bool> written = write_file(folder / light_name(frame), *light); !written)
-      return written.errors();
+    if (Errors errors = put(folder / light_name(frame), *light); !errors.empty()) return errors;
   }
   Result<std::vector<Picture>> pictures = setting_pictures(scene, time);
   if (!pictures) return pictures.errors();
-  for (const Picture& picture : *pictures)
-    if (Result<bool> written = write_file(folder / picture.name, picture.bytes); !written)
-      return written.errors();
+  if (Errors errors = write_pictures(folder, *pictures); !errors.empty()) return errors;
   GrowingFile file(folder / (exposure_name(frame, exposure) + ".pov"));
   Result<FrameCount> count = write_frame(
       scene, parts, layout, frame, [&](std::string_view text) { file.add(text); }, exposure);

@@ -2,8 +2,9 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
-#include "emit/copy_models.h"
+#include "emit/copies.h"
 #include "emit/frame.h"
 #include "scene/scene.h"
 
@@ -22,6 +23,9 @@ Errors write_light(const Scene& scene, FrameParts& parts, const std::filesystem:
 
 /// Draws the pictures of bark and leaves that are not there yet.
 Errors write_drawings(const Scene& scene, const std::filesystem::path& folder, const ProgressSink& watch);
+
+/// Writes pictures, or other files that frames include, into a folder.
+Errors write_pictures(const std::filesystem::path& folder, const std::vector<Picture>& pictures);
 
 struct FrameFile {
   bool changed = false;   ///< it was not there just so

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "core/bounds.h"
-#include "core/linear.h"
 #include "core/parallel.h"
 #include "core/text.h"
 #include "draw/ambience.h"
@@ -124,12 +123,9 @@ constexpr const char* kPacked[] = {"fe7f7f", "007f7f", "7ffe7f",
 
 void append_probe(std::string& text, const PovSpace& space, const Probe& probe) {
   double unit = space.unit, reach = kReuse / kLightErrorBound * probe.cell * unit;
-  text += "C1 ";
-  append(text, probe.at.x * unit, 3);
-  text += ' ';
-  append(text, probe.at.y * unit, 3);
-  text += ' ';
-  append(text, -probe.at.z * unit, 3);
+  text += "C1";
+  for (double at : {probe.at.x * unit, probe.at.y * unit, -probe.at.z * unit})
+    text += ' ', append(text, at, 3);
   text += ' ';
   text += kPacked[probe.axis];
   for (int c = 0; c < 3; ++c) text += ' ', append(text, probe.light[c], 3);

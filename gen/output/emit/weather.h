@@ -6,11 +6,16 @@
 #include "emit/pov.h"
 #include "scene/scene.h"
 
+// Rain and snow.
+
 namespace frond {
 
-/// The flakes that show at a time, and the powder that boughs have dropped, as one mesh; none where there are
-/// none.
-std::string flakes_text(const PovSpace& space, const Scene& scene, double time);
+/// What rain adds to a setting at a time: the textures of water on things, the rings on it, and mist.
+std::string rain_text(const Scene& scene, double time);
+
+/// What falls at a time: drops of rain as one mesh, and flakes with the powder that boughs have dropped as
+/// another; none where there are none.
+std::string falling_text(const PovSpace& space, const Scene& scene, double time);
 
 /// The snow on the branches of an organism; `pixel`: metres.
 ObjectText bough_snow_text(const PovSpace& space, const DrawList& drawn, double time, double pixel);
