@@ -69,6 +69,12 @@ struct Tones {
   }
 };
 
+/// The share of a portrait in which a leaf is seen.
+double leafy(const Portrait& portrait) {
+  return std::accumulate(portrait.leaves.begin(), portrait.leaves.end(), 0.0) /
+         static_cast<double>(portrait.leaves.size());
+}
+
 Level level_of(const ExportScene& exported, std::size_t number, const Bounds* frame = nullptr,
                Tones* tones = nullptr) {
   Level level;
@@ -99,7 +105,7 @@ Level level_of(const ExportScene& exported, std::size_t number, const Bounds* fr
     portraits.push_back(std::move(*portrait));
   }
   for (std::size_t k = 0; k < 8; ++k)
-    level.seen_leaves[k] *= tones ? tones->leafy(portraits[k]) : portraits[k].leafy();
+    level.seen_leaves[k] *= tones ? tones->leafy(portraits[k]) : leafy(portraits[k]);
   return level;
 }
 

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "export/box_map.h"
 #include "export/carry.h"
 #include "export/foliage.h"
+#include "export/surfaces.h"
 #include "geometry/far.h"
 #include "solids.h"
 

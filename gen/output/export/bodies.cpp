@@ -1,13 +1,11 @@
-#include "export/bodies.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/linear.h"
 #include "core/noise.h"
-#include "export/box_map.h"
 #include "export/carry.h"
-#include "export/materials.h"
+#include "export/parts.h"
+#include "export/surfaces.h"
 
 namespace frond {
 

@@ -1,7 +1,6 @@
-#include "export/box_map.h"
-
 #include <array>
-#include <cmath>
+
+#include "export/surfaces.h"
 
 namespace frond {
 
@@ -16,20 +15,8 @@ std::size_t side_of(Vec3 n) {
 
 /// Seen from outside u is to the right and v up; on top and below v is away from z.
 Vec2 laid(Vec3 p, std::size_t side) {
-  switch (side) {
-    case 0:
-      return {p.z, p.y};
-    case 1:
-      return {-p.z, p.y};
-    case 2:
-      return {p.x, p.z};
-    case 3:
-      return {p.x, -p.z};
-    case 4:
-      return {-p.x, p.y};
-    default:
-      return {p.x, p.y};
-  }
+  const Vec2 places[] = {{p.z, p.y}, {-p.z, p.y}, {p.x, p.z}, {p.x, -p.z}, {-p.x, p.y}, {p.x, p.y}};
+  return places[side];
 }
 
 }  // namespace

@@ -1,12 +1,10 @@
-#include "export/branches.h"
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/bounds.h"
-#include "core/linear.h"
-#include "export/box_map.h"
-#include "export/weld.h"
+#include "export/parts.h"
+#include "export/surfaces.h"
 #include "geometry/far.h"
 #include "geometry/tubes.h"
 
@@ -250,28 +248,17 @@ class Brancher {
       parts[0] = {{std::move(surface)}, std::move(node)};
       return parts;
     }
-    std::vector<std::vector<std::uint32_t>> index(
-        colors, std::vector<std::uint32_t>(surface.position.size(), UINT32_MAX));
+    std::vector<std::vector<std::array<std::uint32_t, 3>>> triangles(colors);
     for (const auto& t : surface.triangle) {
       std::int32_t of = others ? std::max({node[t[0]], node[t[1]], node[t[2]]}) : node[t[0]];
-      std::size_t k = look.color_at(b_.model, of);
-      std::array<std::uint32_t, 3> corners{};
-      for (std::size_t c = 0; c < 3; ++c) {
-        std::uint32_t& at = index[k][t[c]];
-        if (at == UINT32_MAX)
-          at = copied(surface, t[c], parts[k].part.surface), parts[k].node.push_back(node[t[c]]);
-        corners[c] = at;
-      }
-      parts[k].part.surface.triangle.push_back(corners);
+      triangles[look.color_at(b_.model, of)].push_back(t);
+    }
+    for (std::size_t k = 0; k < colors; ++k) {
+      std::vector<std::uint32_t> kept;
+      parts[k].part.surface = with_corners_of(surface, std::move(triangles[k]), &kept);
+      for (std::uint32_t v : kept) parts[k].node.push_back(node[v]);
     }
     return parts;
-  }
-
-  static std::uint32_t copied(const Surface& from, std::uint32_t v, Surface& to) {
-    to.position.push_back(from.position[v]);
-    to.normal.push_back(from.normal[v]);
-    if (!from.uv.empty()) to.uv.push_back(from.uv[v]);
-    return static_cast<std::uint32_t>(to.position.size()) - 1;
   }
 
   Maker& maker_;

@@ -1,13 +1,10 @@
-#include "export/crossed.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "export/foliage.h"
+#include "export/parts.h"
 #include "export/portrait.h"
-#include "export/sheet.h"
 #include "geometry/far.h"
 
 namespace frond {

@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <string>
 
 #include "export/export_scene.h"
-#include "field/cubes.h"
 
 namespace frond {
 

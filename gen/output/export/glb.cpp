@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <span>
 
 #include "core/bounds.h"
@@ -23,14 +22,12 @@ constexpr std::string_view kInstancing = "EXT_mesh_gpu_instancing", kLod = "MSFT
 
 /// `[1,2.5e-9]`: as many digits as it takes to read back the same numbers.
 template <class Number>
-void append_numbers(std::string& json, std::initializer_list<Number> numbers) {
-  json += fmt::format("[{}]", fmt::join(numbers, ","));
+std::string numbers_text(std::initializer_list<Number> numbers) {
+  return fmt::format("[{}]", fmt::join(numbers, ","));
 }
 
-/// Appends what must be equal to the floats of the binary part in whatever precision it is read.
-void append_exactly(std::string& json, Vec3 v) { append_numbers<double>(json, {v.x, v.y, v.z}); }
-
-void append_count(std::string& json, std::size_t n) { append_integer(json, static_cast<long long>(n)); }
+/// What must be equal to the floats of the binary part in whatever precision it is read.
+std::string exact_text(Vec3 v) { return numbers_text<double>({v.x, v.y, v.z}); }
 
 /// A list of texts with commas between.
 template <class Items, class Text>
@@ -45,18 +42,16 @@ std::string list(const Items& items, const Text& text_of) {
 
 /// The binary part and what the JSON says of it.
 struct BinaryPart {
-  std::string bytes, views, accessors;
-  std::size_t view_count = 0, count = 0;  // count: of accessors
+  std::string bytes;
+  std::vector<std::string> views, accessors;
 
   /// Adds bytes as a view; target 0: not of a mesh.
   std::size_t add_view(std::string_view data, int target) {
-    if (view_count > 0) views += ',';
-    views += fmt::format(R"({{"buffer":0,"byteOffset":{},"byteLength":{})", bytes.size(), data.size());
-    if (target > 0) views += fmt::format(R"(,"target":{})", target);
-    views += '}';
+    views.push_back(fmt::format(R"({{"buffer":0,"byteOffset":{},"byteLength":{}{}}})", bytes.size(),
+                                data.size(), target > 0 ? fmt::format(R"(,"target":{})", target) : ""));
     bytes += data;
     bytes.resize((bytes.size() + 3) / 4 * 4, '\0');  // so that every view stays aligned
-    return view_count++;
+    return views.size() - 1;
   }
 
   /// Adds an array as a view and an accessor of its own; `extra` are further members of the accessor.
@@ -64,20 +59,15 @@ struct BinaryPart {
   std::size_t add(std::span<const T> items, int target, int component, std::string_view type,
                   std::size_t elements, std::string_view extra = {}) {
     std::size_t view = add_view({reinterpret_cast<const char*>(items.data()), items.size_bytes()}, target);
-    if (count > 0) accessors += ',';
-    accessors += fmt::format(R"({{"bufferView":{},"componentType":{},"count":{},"type":"{}"{}}})", view,
-                             component, elements, type, extra);
-    return count++;
+    accessors.push_back(fmt::format(R"({{"bufferView":{},"componentType":{},"count":{},"type":"{}"{}}})",
+                                    view, component, elements, type, extra));
+    return accessors.size() - 1;
   }
 };
 
 std::string bounds_text(const std::vector<Vec3>& position) {
   Bounds box = bounds_of(position);
-  std::string text = ",\"min\":";
-  append_exactly(text, box.low);
-  text += ",\"max\":";
-  append_exactly(text, box.high);
-  return text;
+  return fmt::format(R"(,"min":{},"max":{})", exact_text(box.low), exact_text(box.high));
 }
 
 /// Places on pictures, whose rows glTF counts from the top: in two bytes each where they lie on one picture.
@@ -147,16 +137,14 @@ std::string mesh_text(BinaryPart& buffer, const std::string& name, const std::ve
 
 std::string material_text(const ExportMaterial& m) {
   bool picture = m.colors != kNoPicture;
-  std::string text = "{\"name\":\"" + m.name + "\",\"pbrMetallicRoughness\":{\"baseColorFactor\":";
   Vec3 color = linear(picture ? m.factor : m.color);  // as glTF has them
-  append_numbers<float>(text, {color.x, color.y, color.z, 1});
+  std::string text = fmt::format(R"({{"name":"{}","pbrMetallicRoughness":{{"baseColorFactor":{})", m.name,
+                                 numbers_text<float>({color.x, color.y, color.z, 1}));
   if (picture) text += fmt::format(",\"baseColorTexture\":{{\"index\":{}}}", m.colors);
   // A picture of the roughness says all of it.
   bool rough = m.roughness != kNoPicture;
-  text += ",\"metallicFactor\":";
-  text += m.metal ? '1' : '0';
-  text += ",\"roughnessFactor\":";
-  append(text, rough ? 1 : std::max(0.02, 0.95 - 0.75 * m.gloss), 4);
+  text += fmt::format(R"(,"metallicFactor":{:d},"roughnessFactor":{})", m.metal,
+                      number_text(rough ? 1 : std::max(0.02, 0.95 - 0.75 * m.gloss), 4));
   if (rough) text += fmt::format(",\"metallicRoughnessTexture\":{{\"index\":{}}}", m.roughness);
   text += '}';
   if (m.normals != kNoPicture) text += fmt::format(",\"normalTexture\":{{\"index\":{}}}", m.normals);
@@ -168,14 +156,14 @@ std::string material_text(const ExportMaterial& m) {
   return text + '}';
 }
 
-void append_name(std::string& text, std::string_view name) { text += fmt::format("{{\"name\":\"{}\"", name); }
+std::string name_text(std::string_view name) { return fmt::format("{{\"name\":\"{}\"", name); }
 
 void append_place(std::string& text, const ExportPlacement& p, Vec3 from) {
   if (p.at != from)
-    text += ",\"translation\":", append_numbers(text, {p.at.x - from.x, p.at.y - from.y, p.at.z - from.z});
+    text += ",\"translation\":" + numbers_text({p.at.x - from.x, p.at.y - from.y, p.at.z - from.z});
   if (p.turn != Quat(1, 0, 0, 0))
-    text += ",\"rotation\":", append_numbers(text, {p.turn.x, p.turn.y, p.turn.z, p.turn.w});
-  if (p.scale != Vec3(1)) text += ",\"scale\":", append_numbers(text, {p.scale.x, p.scale.y, p.scale.z});
+    text += ",\"rotation\":" + numbers_text({p.turn.x, p.turn.y, p.turn.z, p.turn.w});
+  if (p.scale != Vec3(1)) text += ",\"scale\":" + numbers_text({p.scale.x, p.scale.y, p.scale.z});
 }
 
 /// The nodes of a scene: one for each group, its meshes below it.
@@ -197,15 +185,14 @@ class GlbNodes {
     }
   }
 
-  std::string text, roots;
+  std::vector<std::string> all;
+  std::vector<std::size_t> roots, moving;
   bool instanced = false, leveled = false;  // whether there are any
-  std::vector<std::size_t> moving;          // nodes
 
  private:
-  std::size_t add(const std::string& node) {
-    if (count_ > 0) text += ',';
-    text += node + '}';
-    return count_++;
+  std::size_t add(std::string node) {
+    all.push_back(std::move(node += '}'));
+    return all.size() - 1;
   }
 
   void add_group(const ExportGroup& group, std::span<const ExportPlacement> placements) {
@@ -231,15 +218,14 @@ class GlbNodes {
         if (scene_.meshes[mesh].moves()) moving.push_back(nodes.back());
       }
     }
-    append_root(alone ? nodes[0] : add_organism(group, placements, nodes));
+    roots.push_back(alone ? nodes[0] : add_organism(group, placements, nodes));
   }
 
   /// A node of all that one organism is made of, and one for each coarser level.
   std::size_t add_organism(const ExportGroup& group, std::span<const ExportPlacement> placements,
                            const std::vector<std::size_t>& nodes) {
     auto text_of = [&](std::size_t level, const std::vector<std::size_t>& children) {
-      std::string node;
-      append_name(node, group.name + level_name(level));
+      std::string node = name_text(group.name + level_name(level));
       append_place(node, {0, group.foot}, Vec3(0));
       return node + fmt::format(",\"children\":[{}]", fmt::join(children, ","));
     };
@@ -258,8 +244,7 @@ class GlbNodes {
   static std::string level_name(std::size_t level) { return level > 0 ? fmt::format("_LOD{}", level) : ""; }
 
   std::string placed_text(const ExportPlacement& p, Vec3 from, const std::string& number, std::size_t level) {
-    std::string node;
-    append_name(node, scene_.meshes[p.mesh].name + number + level_name(level));
+    std::string node = name_text(scene_.meshes[p.mesh].name + number + level_name(level));
     node += fmt::format(",\"mesh\":{}", index_[p.mesh][level]);
     append_place(node, p, from);
     return node;
@@ -278,11 +263,6 @@ class GlbNodes {
                        kLod, fmt::join(levels, ","), fmt::join(covers, ","));
   }
 
-  void append_root(std::size_t root) {
-    if (!roots.empty()) roots += ',';
-    append_count(roots, root);
-  }
-
   std::string instances_text(std::span<const ExportPlacement> alike, Vec3 from) {
     std::vector<Vec3> at, scale;
     std::vector<std::array<float, 4>> turn;
@@ -290,8 +270,7 @@ class GlbNodes {
       at.push_back(p.at - from), scale.push_back(p.scale);
       turn.push_back({p.turn.x, p.turn.y, p.turn.z, p.turn.w});
     }
-    std::string node;
-    append_name(node, scene_.meshes[alike[0].mesh].name);
+    std::string node = name_text(scene_.meshes[alike[0].mesh].name);
     std::size_t n = alike.size();
     node += fmt::format(
         R"(,"mesh":{},"extensions":{{"{}":{{"attributes":{{"TRANSLATION":{},"ROTATION":{},"SCALE":{}}}}}}})",
@@ -306,7 +285,6 @@ class GlbNodes {
   bool instances_;
   BinaryPart& buffer_;
   std::vector<std::vector<std::size_t>> index_;  // of each mesh at each of its levels
-  std::size_t count_ = 0;
 };
 
 /// One shape after the other: at its time each has a weight of one, and the last is the mesh itself.
@@ -328,9 +306,7 @@ std::string animation_text(BinaryPart& buffer, const std::vector<std::size_t>& n
 
 void append_word(std::string& bytes, std::size_t value) {
   auto word = static_cast<std::uint32_t>(value);
-  char raw[4];
-  std::memcpy(raw, &word, 4);
-  bytes.append(raw, 4);
+  bytes.append(reinterpret_cast<const char*>(&word), sizeof word);
 }
 
 /// The file of both parts.
@@ -376,8 +352,9 @@ Result<std::string> glb_bytes(const ExportScene& exported, bool instances) {
                   [](const ExportMaterial& m) { return m.transmission > 0; }))
     extensions.insert(extensions.end(), {kTransmission, kIor});
   if (!extensions.empty()) json += fmt::format(R"(,"extensionsUsed":["{}"])", fmt::join(extensions, "\",\""));
-  json += R"(,"scene":0,"scenes":[{"nodes":[)" + nodes.roots + "]}],\"nodes\":[" + nodes.text +
-          "],\"meshes\":" + meshes;
+  json += fmt::format(R"(,"scene":0,"scenes":[{{"nodes":[{}]}}],"nodes":[{}],"meshes":)",
+                      fmt::join(nodes.roots, ","), fmt::join(nodes.all, ",")) +
+          meshes;
   if (!nodes.moving.empty()) json += animation_text(buffer, nodes.moving, exported.keys);
   json += ",\"materials\":" + list(exported.materials, material_text);
   if (!exported.pictures.empty()) {
@@ -392,8 +369,8 @@ Result<std::string> glb_bytes(const ExportScene& exported, bool instances) {
                                  buffer.add_view(picture.png, 0));
             });
   }
-  json += ",\"accessors\":[" + buffer.accessors + "],\"bufferViews\":[" + buffer.views + "]";
-  json += fmt::format(R"(,"buffers":[{{"byteLength":{}}}]}})", buffer.bytes.size());
+  json += fmt::format(R"(,"accessors":[{}],"bufferViews":[{}],"buffers":[{{"byteLength":{}}}]}})",
+                      fmt::join(buffer.accessors, ","), fmt::join(buffer.views, ","), buffer.bytes.size());
   return container(std::move(json), buffer.bytes);
 }
 

@@ -11,7 +11,6 @@
 #include "core/content.h"
 #include "emit/branch_materials.h"
 #include "emit/copies.h"
-#include "emit/copy_models.h"
 #include "emit/setting.h"
 #include "emit/solid.h"
 #include "export/formats.h"

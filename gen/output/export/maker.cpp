@@ -3,14 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "appearance/bleaching.h"
-#include "core/linear.h"
 #include "core/printable.h"
-#include "export/bodies.h"
-#include "export/foliage.h"
+#include "export/parts.h"
 #include "geometry/far.h"
 
 namespace frond {
@@ -33,11 +30,18 @@ void make_coarser(ExportPart& part, double share) {
   part.tint = std::move(tint);
 }
 
-double sum(const std::vector<ExportPart>& parts, const auto& counted) {
+/// Without leaves, of which each has as few as it can.
+double solid_triangles(const ExportScene& exported, const std::vector<ExportPart>& parts) {
   double triangles = 0;
   for (const ExportPart& p : parts)
-    if (counted(p)) triangles += static_cast<double>(p.surface.triangle.size());
+    if (!exported.materials[p.material].leaf) triangles += static_cast<double>(p.surface.triangle.size());
   return triangles;
+}
+
+/// How many boughs have room on a sheet.
+int most_boughs(const ExportOptions& options) {
+  int across = std::max(2, 2 * options.texture / bough_pixels(options));
+  return std::max(2, across * across / kBoughPictures);
 }
 
 /// The longest edge of leaves that are drawn by triangles alone, metres.
@@ -53,11 +57,9 @@ double longest_stand_in(const ExportScene& exported, const std::vector<ExportPar
 }  // namespace
 
 double triangles_of(const std::vector<ExportPart>& parts) {
-  return sum(parts, [](const ExportPart&) { return true; });
-}
-
-double solid_triangles(const ExportScene& exported, const std::vector<ExportPart>& parts) {
-  return sum(parts, [&](const ExportPart& p) { return !exported.materials[p.material].leaf; });
+  double triangles = 0;
+  for (const ExportPart& p : parts) triangles += static_cast<double>(p.surface.triangle.size());
+  return triangles;
 }
 
 Vec3 starved(float light, Vec3 color) {
@@ -70,11 +72,6 @@ ExportTint tint_of(Vec3 light) {
 }
 
 int bough_pixels(const ExportOptions& options) { return std::clamp(options.texture / 8, 16, 64); }
-
-int most_boughs(const ExportOptions& options) {
-  int across = std::max(2, 2 * options.texture / bough_pixels(options));
-  return std::max(2, across * across / kBoughPictures);
-}
 
 bool Maker::whole_is_crossed() {
   if (options.texture == 0 || level < 2 || level + 1 < options.levels) return false;

@@ -17,9 +17,8 @@ struct CrossedLevel {
   int boughs = 0;  ///< into how many the leaves of the first are parted; 0: one set of the whole
 };
 
-/// The width of a bough's picture, and how many boughs have room on a sheet.
+/// The width of a bough's picture.
 int bough_pixels(const ExportOptions& options);
-int most_boughs(const ExportOptions& options);
 
 /// Puts an exported scene together.
 struct Maker {
@@ -65,9 +64,8 @@ ExportTint tint_of(Vec3 light);
 /// The factor on a coral's skin of a linear colour for what is left of its light; see starved_color().
 Vec3 starved(float light, Vec3 color);
 
-/// How many triangles parts have; without leaves, of which each has as few as it can.
+/// How many triangles parts have.
 double triangles_of(const std::vector<ExportPart>& parts);
-double solid_triangles(const ExportScene& exported, const std::vector<ExportPart>& parts);
 
 /// Foliage by the names of its prototypes, one part a material.
 std::map<std::string, std::vector<ExportPart>> by_name(Maker& maker, const Look& look, const Model& model,

@@ -133,15 +133,17 @@ Palette::Use Palette::keep_swatch(Swatch swatch, ExportMaterial made, const std:
   return keep(key, std::move(made), name, key, make, wide, high);
 }
 
+std::size_t Palette::add_picture(std::string name, std::string bytes) {
+  if (bytes.empty()) return kNoPicture;
+  scene_.pictures.push_back({std::move(name), std::move(bytes)});
+  return scene_.pictures.size() - 1;
+}
+
 std::size_t Palette::shown(ExportMaterial made, const std::string& name, BakedPictures pictures) {
   made.name = names_.unique(name);
   if (pictures.mean) made.color = *pictures.mean;
-  auto add = [&](std::string& bytes, const char* word) {
-    if (bytes.empty()) return kNoPicture;
-    scene_.pictures.push_back({made.name + word, std::move(bytes)});
-    return scene_.pictures.size() - 1;
-  };
-  made.colors = add(pictures.colors, "_color"), made.normals = add(pictures.normals, "_normal");
+  made.colors = add_picture(made.name + "_color", std::move(pictures.colors));
+  made.normals = add_picture(made.name + "_normal", std::move(pictures.normals));
   scene_.materials.push_back(std::move(made));
   return scene_.materials.size() - 1;
 }
@@ -151,13 +153,10 @@ Errors Palette::make_pictures() {
   parallel_for(pending_.size(), [&](std::size_t i) { made[i] = pending_[i].make(); });
   for (std::size_t i = 0; i < pending_.size(); ++i) {
     if (!made[i]) return made[i].errors();
-    auto add = [&](std::string& bytes, const char* word) {
-      if (bytes.empty()) return kNoPicture;
-      scene_.pictures.push_back({pending_[i].name + word, std::move(bytes)});
-      return scene_.pictures.size() - 1;
-    };
-    std::size_t colors = add(made[i]->colors, "_color"), normals = add(made[i]->normals, "_normal"),
-                roughness = add(made[i]->roughness, "_roughness");
+    const std::string& name = pending_[i].name;
+    std::size_t colors = add_picture(name + "_color", std::move(made[i]->colors)),
+                normals = add_picture(name + "_normal", std::move(made[i]->normals)),
+                roughness = add_picture(name + "_roughness", std::move(made[i]->roughness));
     for (std::size_t of : pending_[i].materials) {
       ExportMaterial& material = scene_.materials[of];
       if (made[i]->mean) material.color = srgb(linear(*made[i]->mean) * linear(material.factor));

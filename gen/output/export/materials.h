@@ -3,13 +3,11 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "appearance/appearance.h"
 #include "bake/bake.h"
 #include "export/export_scene.h"
-#include "organisms/organism.h"
 
 namespace frond {
 
@@ -95,6 +93,8 @@ class Palette {
   Use keep(const std::string& key, ExportMaterial made, const std::string& name, const std::string& picture,
            const PictureMaker& make, double wide = 1, double high = 1);
   Use keep_swatch(Swatch swatch, ExportMaterial made, const std::string& name, double rough);
+  /// Adds a picture of a material; no picture where there are no bytes.
+  std::size_t add_picture(std::string name, std::string bytes);
 
   ExportScene& scene_;
   const ExportOptions& options_;

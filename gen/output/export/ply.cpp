@@ -1,9 +1,9 @@
+#include <fmt/format.h>
+
 #include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "core/linear.h"
-#include "core/text.h"
 #include "export/formats.h"
 
 static_assert(std::endian::native == std::endian::little, "PLY and GLB are written as the memory has them");
@@ -14,9 +14,7 @@ namespace {
 
 template <class T>
 void append_raw(std::string& bytes, const T& value) {
-  char raw[sizeof(T)];
-  std::memcpy(raw, &value, sizeof(T));
-  bytes.append(raw, sizeof(T));
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
 /// A channel of a colour as a byte, times a factor of its light.
@@ -35,18 +33,15 @@ void each_part(const ExportScene& exported, const Visit& visit) {
 
 std::string ply_bytes(const ExportScene& exported) {
   std::size_t vertices = 0, triangles = 0;
-  for (const ExportPlacement& p : exported.placements) {
-    for (const ExportPart& part : exported.meshes[p.mesh].parts)
-      vertices += part.surface.position.size(), triangles += part.surface.triangle.size();
-  }
-  std::string text = "ply\nformat binary_little_endian 1.0\ncomment metres, y up\nelement vertex ";
-  append_integer(text, static_cast<long long>(vertices));
+  each_part(exported, [&](const ExportPart& part, const ExportPlacement&) {
+    vertices += part.surface.position.size(), triangles += part.surface.triangle.size();
+  });
+  std::string text =
+      fmt::format("ply\nformat binary_little_endian 1.0\ncomment metres, y up\nelement vertex {}", vertices);
   for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "s", "t"})
     text += std::string("\nproperty float ") + name;
   for (const char* name : {"red", "green", "blue"}) text += std::string("\nproperty uchar ") + name;
-  text += "\nelement face ";
-  append_integer(text, static_cast<long long>(triangles));
-  text += "\nproperty list uchar int vertex_indices\nend_header\n";
+  text += fmt::format("\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n", triangles);
   text.reserve(text.size() + vertices * 35 + triangles * 13);
   each_part(exported, [&](const ExportPart& part, const ExportPlacement& p) {
     Surface surface = placed(part, p);

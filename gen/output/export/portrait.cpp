@@ -112,15 +112,12 @@ void draw_triangle(Samples& to, const ExportPart& part, const std::array<std::ui
     }
 }
 
-double mean(const std::vector<float>& shares) {
-  return std::accumulate(shares.begin(), shares.end(), 0.0) /
-         std::max<double>(1, static_cast<double>(shares.size()));
-}
-
 }  // namespace
 
-double Portrait::covered() const { return mean(cover); }
-double Portrait::leafy() const { return mean(leaves); }
+double Portrait::covered() const {
+  return std::accumulate(cover.begin(), cover.end(), 0.0) /
+         std::max<double>(1, static_cast<double>(cover.size()));
+}
 
 Result<const Raster*> Painter::picture(std::size_t index) {
   auto [at, fresh] = pictures_.try_emplace(index);

@@ -27,9 +27,8 @@ struct Portrait {
   std::vector<Vec3> normal;   ///< of what is there: to the right, up, to the eye
   std::vector<float> leaves;  ///< the share of each pixel in which a leaf is seen
 
-  /// Shares of the whole picture.
+  /// The share of the whole picture in which something is.
   double covered() const;
-  double leafy() const;
 };
 
 /// Some triangles of a part, or all of them if none are named.
@@ -60,5 +59,38 @@ Result<double> silhouettes(Painter& painter, std::span<const Sitter> sitters, co
 
 /// A view of a box from the side, so many radians round the vertical.
 PortraitView side_view(const Bounds& box, double turn, int pixels);
+
+/// Portraits of equal size side by side, as a picture of colours with opacity and one of normals.
+class PictureSheet {
+ public:
+  /// So many portraits, each in a cell of so many pixels, a margin counted in, that the next one does not
+  /// show in it.
+  PictureSheet(int cells, int pixels);
+
+  /// Pixels of a portrait.
+  int inner() const;
+  void put(const Portrait& portrait, int number);
+
+  /// Makes so large a share of what each portrait covers opaque, of leaves and of wood alike: what fills its
+  /// pixel first. Where all pixels are full leaves get holes.
+  void cut(double share);
+
+  /// Corners of a portrait on the sheet, v upward.
+  Vec2 corner(int number, bool high) const;
+
+  /// What is open takes the colours of what is next to it, or edges would be seen dark; gives the mean of
+  /// all.
+  Color fill();
+
+  const Raster& colors() const { return colors_; }
+  const Raster& normals() const { return normals_; }
+
+ private:
+  std::size_t nearest(std::size_t i) const;
+
+  int cell_, columns_;
+  Raster colors_, normals_;
+  std::vector<float> rank_;  // of each pixel, the share from which it is opaque; 0 where nothing is
+};
 
 }  // namespace frond

@@ -1,11 +1,10 @@
-#include "export/sheet.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "core/linear.h"
 #include "core/seed.h"
+#include "export/portrait.h"
 
 namespace frond {
 

@@ -1,5 +1,3 @@
-#include "export/sown.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -8,7 +6,7 @@
 #include "core/bounds.h"
 #include "core/parallel.h"
 #include "core/printable.h"
-#include "export/bodies.h"
+#include "export/parts.h"
 #include "scene/copies.h"
 
 namespace frond {

@@ -1,9 +1,8 @@
-#include "export/swarm.h"
-
 #include <algorithm>
 
 #include "core/printable.h"
 #include "export/carry.h"
+#include "export/parts.h"
 
 namespace frond {
 

@@ -6,7 +6,7 @@
 #include "core/figures.h"
 #include "draw/draw_list.h"
 #include "export/formats.h"
-#include "export/sown.h"
+#include "export/parts.h"
 #include "geometry/far.h"
 
 namespace frond {

@@ -1,10 +1,9 @@
-#include "export/weld.h"
-
 #include <algorithm>
 #include <array>
 #include <iterator>
 #include <map>
-#include <vector>
+
+#include "export/surfaces.h"
 
 namespace frond {
 
