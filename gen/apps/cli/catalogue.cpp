@@ -93,34 +93,27 @@ std::string sizes_json(const std::vector<GrownSize>& sizes) {
 
 }  // namespace
 
-int info(const InfoArguments& to) {
+void info(const InfoArguments& to) {
   const PresetArguments& arguments = to.preset;
   if (is_grammar(arguments.path)) return info_grammar(arguments.path, arguments.assets, to.json);
   Heartbeat heartbeat;
-  Result<Preset> preset = load_preset(arguments);
-  if (!preset) return fail(preset.errors(), kWrongInput);
-  tell_notes(preset->notes);
-  Result<FrameRange> asked = read_frames(to.frames, preset->film.frames, {1, preset->film.frames});
-  if (!asked) return fail(asked.errors(), kWrongInput);
-  Result<int> frame = read_frame(to.frame, preset->film.frames);
-  if (!frame) return fail(frame.errors(), kWrongInput);
+  Preset preset = or_fail(load_preset(arguments), kWrongInput);
+  tell_notes(preset.notes);
+  FrameRange asked =
+      or_fail(read_frames(to.frames, preset.film.frames, {1, preset.film.frames}), kWrongInput);
+  int frame = or_fail(read_frame(to.frame, preset.film.frames), kWrongInput);
   bool json = to.json, sizes = to.sizes || to.frame > 0;
-  preset->film.raw = is_resolved(preset->film, std::nullopt);
-  FrameRange range = drawn_frames(preset->film, *asked);
+  preset.film.raw = is_resolved(preset.film, std::nullopt);
+  FrameRange range = drawn_frames(preset.film, asked);
   now_doing("estimating how much there will be");
-  Result<CostEstimate> estimate = estimate_cost(*preset, {range.first, range.last});
-  if (!estimate) return fail(estimate.errors(), kWrongInput);
-  const CostEstimate& f = *estimate;
+  const CostEstimate f = or_fail(estimate_cost(preset, {range.first, range.last}), kWrongInput);
   Machine machine = this_machine(".");
   double memory = f.memory(f.at_once(machine));
   std::vector<GrownSize> grown;
   if (sizes) {
     now_doing("growing what stands in the scene");
-    Result<Scene> scene = build_scene(*preset);
-    if (!scene) return fail(scene.errors(), kWrongInput);
-    Result<std::vector<GrownSize>> there = sizes_of(*scene, *preset, preset->film.time(*frame));
-    if (!there) return fail(there.errors(), kCouldNot);
-    grown = std::move(*there);
+    Scene scene = or_fail(build_scene(preset), kWrongInput);
+    grown = or_fail(sizes_of(scene, preset, preset.film.time(frame)), kCouldNot);
   }
   Pace pace = pace_of(pace_key(arguments.path));
   double render = pace.factor * f.frames * f.render_seconds;
@@ -145,24 +138,21 @@ int info(const InfoArguments& to) {
     for (const std::string& line : sizes_lines(grown)) put(line + "\n");
   Errors errors = refuse(f, machine);
   for (Error& error : errors) error.where = arguments.path;
-  return errors.empty() ? kDone : fail(errors, kWrongInput);
+  or_fail(errors, kWrongInput);
 }
 
-int list_files(const PresetArguments& arguments) {
-  Result<Preset> preset = load_preset(arguments);
-  if (!preset) return fail(preset.errors(), kWrongInput);
+void list_files(const PresetArguments& arguments) {
+  Preset preset = or_fail(load_preset(arguments), kWrongInput);
   std::set<std::string> names{arguments.path};
-  for (const fs::path& file : preset->files) names.insert(file.string());
+  for (const fs::path& file : preset.files) names.insert(file.string());
   for (const std::string& name : names) put(name + '\0');
-  return kDone;
 }
 
-int list_everything(bool json) {
-  Result<fs::path> root = home();
-  if (!root) return fail(root.errors(), kCouldNot);
+void list_everything(bool json) {
+  fs::path root = or_fail(home(), kCouldNot);
   std::string group;
   Value all = make_list();
-  for (const Entry& entry : entries(*root)) {
+  for (const Entry& entry : entries(root)) {
     if (json) {
       Value row = make_object();
       row.set("group", make_text(entry.group))
@@ -176,12 +166,8 @@ int list_everything(bool json) {
     put(fmt::format("  {:24} {}\n", printable(entry.name), printable(entry.doc)));
   }
   if (json) put(serialize_pretty(all) + "\n");
-  return kDone;
 }
 
-int print_schema() {
-  put(serialize_pretty(preset_schema()));
-  return kDone;
-}
+void print_schema() { put(serialize_pretty(preset_schema())); }
 
 }  // namespace frond

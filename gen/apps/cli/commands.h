@@ -126,7 +126,7 @@ struct GrammarArguments {
   std::optional<double> angle;         ///< degrees, of turns without a parameter
   int mutations = 0;                   ///< of a grammar of LParser
   std::string system = {};             ///< which of several L-systems in a file of Fractint
-  bool counts = false;                 ///< how often each symbol occurs, instead of the word
+  std::string format = "text";         ///< of the word; counts: how often each symbol occurs, instead
   std::optional<std::string> picture;  ///< SVG file to write: the derivation tree, or what the turtle draws
   std::optional<std::string> assets;   ///< as of a preset
 };
@@ -224,6 +224,11 @@ struct GalleryArguments {
   std::vector<std::string> names;   ///< of pictures; none: all
 };
 
+struct DescribeArguments {
+  std::vector<std::string> words;  ///< that are asked for; none: what there is
+  bool json = false;               ///< for machines
+};
+
 struct NewArguments {
   std::string name;               ///< of the file to write, with or without its .json
   std::string from;               ///< a kind, the file of a preset, or the name of one that is shipped
@@ -250,40 +255,41 @@ struct StudioArguments {
   std::optional<std::string> assets;  ///< as of a preset
 };
 
-/// Each is one command of the program; all return an ExitCode. Data goes to stdout, messages to stderr.
-int generate(GenerateArguments arguments);
-int write_textures(const TextureArguments& arguments);
-int look(const LookArguments& arguments);
-int resolve(const ResolveArguments& arguments);
-int passes(const PassesArguments& arguments);
-int draw_ink(const DrawArguments& arguments);
-int develop_picture(const DevelopArguments& arguments);
-int export_scene(const ExportArguments& arguments);
-int export_include(const ExportArguments& arguments);
-int info(const InfoArguments& arguments);
-int list_files(const PresetArguments& arguments);
-int farm(const FarmArguments& arguments);
-int info_grammar(const std::string& path, const std::optional<std::string>& assets, bool json);
+/// Each is one command of the program, and throws a CommandEnd where it comes to none. Data goes to stdout,
+/// messages to stderr.
+void generate(const GenerateArguments& arguments);
+void write_textures(const TextureArguments& arguments);
+void look(const LookArguments& arguments);
+void resolve(const ResolveArguments& arguments);
+void passes(const PassesArguments& arguments);
+void draw_ink(const DrawArguments& arguments);
+void develop_picture(const DevelopArguments& arguments);
+void export_scene(const ExportArguments& arguments);
+void export_include(const ExportArguments& arguments);
+void info(const InfoArguments& arguments);
+void list_files(const PresetArguments& arguments);
+void farm(const FarmArguments& arguments);
+void info_grammar(const std::string& path, const std::optional<std::string>& assets, bool json);
 /// Checks a grammar; says that it is one, and what it is for.
-int check_grammar(const PresetArguments& arguments);
-int derive_word(const GrammarArguments& arguments);
-int walk_turtle(const GrammarArguments& arguments);
-int draw_plans(const PlanArguments& arguments);
-int draw_stand(const StandArguments& arguments);
-int list_everything(bool json);
-int print_schema();
-int describe_properties(const std::vector<std::string>& words, bool json);
-int new_preset(const NewArguments& arguments);
-int import_model(const ImportArguments& arguments);
-int studio(const StudioArguments& arguments);
-int frame(const FrameArguments& arguments);
-int film(const FilmArguments& arguments);
-int render(const RenderArguments& arguments);
-int sheet(const RenderArguments& arguments);
-int farm_task(const TaskArguments& arguments);
-int gallery(const GalleryArguments& arguments);
-int compare(const CompareArguments& arguments);
+void check_grammar(const PresetArguments& arguments);
+void derive_word(const GrammarArguments& arguments);
+void walk_turtle(const GrammarArguments& arguments);
+void draw_plans(const PlanArguments& arguments);
+void draw_stand(const StandArguments& arguments);
+void list_everything(bool json);
+void print_schema();
+void describe_properties(const DescribeArguments& arguments);
+void new_preset(const NewArguments& arguments);
+void import_model(const ImportArguments& arguments);
+void studio(const StudioArguments& arguments);
+void frame(const FrameArguments& arguments);
+void film(const FilmArguments& arguments);
+void render(const RenderArguments& arguments);
+void sheet(const RenderArguments& arguments);
+void farm_task(const TaskArguments& arguments);
+void gallery(const GalleryArguments& arguments);
+void compare(const CompareArguments& arguments);
 /// Returns only where the program could not be started.
-int run_confined(const ConfineArguments& arguments);
+void run_confined(const ConfineArguments& arguments);
 
 }  // namespace frond

@@ -158,20 +158,19 @@ ExitCode find_sides(const CompareArguments& arguments, Side (&sides)[2], Errors&
 }
 
 /// Shows them side by side in a file, which it names.
-int show_sides(const CompareArguments& arguments, const Side& a, const Side& b) {
+void show_sides(const CompareArguments& arguments, const Side& a, const Side& b) {
   fs::path out = arguments.out.value_or(a.picture() ? "out/compare.png" : "out/compare.mp4");
   std::error_code error;
   out = fs::absolute(out, error).lexically_normal();
   fs::create_directories(out.parent_path(), error);
-  if (error) return fail_run({{"", out.string() + ": its folder cannot be made"}}, kCouldNot);
-  if (Errors errors = make_comparison(a, b, out); !errors.empty()) return fail_run(errors, kCouldNot);
+  if (error) fail_run({{"", out.string() + ": its folder cannot be made"}}, kCouldNot);
+  or_fail_run(make_comparison(a, b, out), kCouldNot);
   if (!arguments.json) put(out.string() + "\n");
-  return kDone;
 }
 
 }  // namespace
 
-int compare(const CompareArguments& arguments) {
+void compare(const CompareArguments& arguments) {
   std::error_code error;
   fs::path frames[2];
   if (fs::is_directory(arguments.a, error) && fs::is_directory(arguments.b, error))
@@ -182,19 +181,18 @@ int compare(const CompareArguments& arguments) {
   ExitCode code = find_sides(arguments, sides, errors);
   // Two folders that hold frames alone are compared by figures, as long as nobody asks to see the frames.
   bool shown = code == kDone && (arguments.out || !arguments.json);
-  if (code != kDone && (!of_frames || arguments.out)) return fail_run(errors, code);
+  if (code != kDone && (!of_frames || arguments.out)) fail_run(errors, code);
   const auto& [a, b] = sides;
   Measured measured = of_frames     ? measure_frames(frames[0], frames[1])
                       : a.picture() ? measure_pictures(a.file, b.file)
                                     : measure_films(film_of(a), film_of(b));
-  if (!measured.errors.empty()) return fail_run(measured.errors, measured.code);
-  if (int failed = shown ? show_sides(arguments, a, b) : kDone; failed != kDone) return failed;
+  if (!measured.errors.empty()) fail_run(measured.errors, measured.code);
+  if (shown) show_sides(arguments, a, b);
   if (arguments.json)
     put(figures_as_json(measured));
   else
     say(figures_in_words(measured));
   if (!arguments.json) tell_notes(errors);  // why nothing is shown of what was measured
-  return kDone;
 }
 
 }  // namespace frond

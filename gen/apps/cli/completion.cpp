@@ -1,10 +1,9 @@
-#include "cli/completion.h"
-
 #include <algorithm>
 #include <memory>
 #include <set>
 
 #include "cli/commands.h"
+#include "cli/rendering.h"
 #include "cli/streams.h"
 #include "core/files.h"
 #include "core/home.h"
@@ -17,6 +16,8 @@
 namespace frond {
 
 namespace fs = std::filesystem;
+
+// What shells know of the command line, made from its own description, so that it cannot be out of date.
 
 namespace {
 
@@ -147,9 +148,9 @@ constexpr const char* kFish = R"(# Completion of frond in fish: `frond completio
 complete -c frond -a '(set -l words (commandline -opc) (commandline -ct); $words[1] complete -- $words[2..-1] 2>/dev/null)'
 )";
 
-}  // namespace
-
-std::vector<std::string> completions(const CLI::App& app, const Strings& words) {
+/// What may stand in place of the last of the words behind the program's name, which has been begun:
+/// commands, options, their values, presets, and properties after `--set`.
+Strings completions(const CLI::App& app, const Strings& words) {
   Strings found = candidates(app, words);
   std::erase_if(found, [&](const std::string& word) { return !word.starts_with(words.back()); });
   std::ranges::sort(found);
@@ -157,35 +158,27 @@ std::vector<std::string> completions(const CLI::App& app, const Strings& words) 
   return found;
 }
 
-std::string completion_script(const std::string& shell) {
-  return shell == "bash" ? kBash : shell == "zsh" ? kZsh : kFish;
-}
+void print_script(const std::string& shell) { put(shell == "bash" ? kBash : shell == "zsh" ? kZsh : kFish); }
 
-void add_completion(CLI::App& app, int& result) {
+}  // namespace
+
+void add_completion(CLI::App& app) {
   auto words = std::make_shared<Strings>();
   auto* complete = app.add_subcommand("complete", "What may stand in place of the last word, for shells");
   complete->add_option("words", *words, "The words behind the program's name, the last begun");
-  complete->callback([&app, &result, words] {
-    result = kDone;
+  complete->callback([&app, words] {
     if (!words->empty())
       for (const std::string& word : completions(app, *words)) put(word + "\n");
   });
-  auto shell = std::make_shared<std::string>();
-  auto* completion = app.add_subcommand("completion", "A script that completes words in bash, zsh or fish");
+  auto [completion, shell] =
+      add_command(app, "completion", "A script that completes words in bash, zsh or fish", print_script);
   completion->add_option("shell", *shell, "bash, zsh or fish")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
   completion->footer("Example:\n  source <(frond completion bash)");
-  completion->callback([&result, shell] {
-    put(completion_script(*shell));
-    result = kDone;
-  });
   auto* man = app.add_subcommand("man", "The manual page of this program, for man(1)");
   man->footer("Example:\n  frond man | man -l -");
-  man->callback([&app, &result] {
-    put(manual_page(app));
-    result = kDone;
-  });
+  man->callback([&app] { put(manual_page(app)); });
 }
 
 }  // namespace frond

@@ -12,19 +12,16 @@
 
 namespace frond {
 
-int run_confined(const ConfineArguments& arguments) {
-  if (!can_confine()) {
-    fail({no_landlock()}, kCouldNot);
-    return kNoLandlock;
-  }
+void run_confined(const ConfineArguments& arguments) {
+  if (!can_confine()) fail({no_landlock()}, kNoLandlock);
   Confinement to{{arguments.read.begin(), arguments.read.end()},
                  {arguments.write.begin(), arguments.write.end()}};
   std::vector<char*> words;
   for (const std::string& word : arguments.words) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
-  if (Errors errors = confine(to, words[0]); !errors.empty()) return fail(errors, kCouldNot);
+  or_fail(confine(to, words[0]), kCouldNot);
   ::execvp(words[0], words.data());
-  return fail({Error{words[0], std::strerror(errno)}}, kCouldNot);
+  fail({Error{words[0], std::strerror(errno)}}, kCouldNot);
 }
 
 }  // namespace frond

@@ -45,27 +45,23 @@ DVec3 side_of(const CpfgModel& model) {
 
 }  // namespace
 
-int import_model(const ImportArguments& arguments) {
+void import_model(const ImportArguments& arguments) {
   if (!is_cpfg_model(arguments.path)) return import_rules(arguments);
   if (arguments.mutations > 0 || arguments.seed)
-    return fail({{arguments.path, "a model of cpfg has its seed in its file and is not mutated"}},
-                kWrongInput);
-  Result<CpfgModel> model = read_cpfg(arguments.path);
-  if (!model) return fail(model.errors(), kWrongInput);
-  int steps = arguments.steps.value_or(film_of(*model, model->steps).last);
+    fail({{arguments.path, "a model of cpfg has its seed in its file and is not mutated"}}, kWrongInput);
+  CpfgModel model = or_fail(read_cpfg(arguments.path), kWrongInput);
+  int steps = arguments.steps.value_or(film_of(model, model.steps).last);
   CpfgRequest request;
   request.steps = steps, request.drawing = true;
-  Result<CpfgDerived> derived = derive(*model, request);
-  if (!derived) return fail(derived.errors(), kWrongInput);
-  Result<CpfgFigure> figure = draw(*model, derived->drawing);
-  if (!figure) return fail(figure.errors(), kWrongInput);
-  ImportedPlant plant{{Vec3(figure->low), Vec3(figure->high)}, side_of(*model)};
+  CpfgDerived derived = or_fail(derive(model, request), kWrongInput);
+  CpfgFigure figure = or_fail(draw(model, derived.drawing), kWrongInput);
+  ImportedPlant plant{{Vec3(figure.low), Vec3(figure.high)}, side_of(model)};
   fs::path folder = fs::path(preset_path(arguments)).parent_path();
   std::error_code error;
   fs::path file = fs::proximate(arguments.path, folder.empty() ? "." : folder, error);
-  if (error) return fail({{arguments.path, "cannot be named from the preset's folder"}}, kWrongInput);
+  if (error) fail({{arguments.path, "cannot be named from the preset's folder"}}, kWrongInput);
   plant.grammar.set("file", make_text(file.generic_string())).set("steps", make_number(steps));
-  return write_imported(arguments, plant);
+  write_imported(arguments, plant);
 }
 
 }  // namespace frond

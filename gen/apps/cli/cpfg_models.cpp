@@ -62,51 +62,44 @@ bool is_cpfg_model(const std::string& path) {
   return grammar_kind(path, text ? *text : "") == GrammarKind::cpfg;
 }
 
-int info_cpfg(const GrammarArguments& arguments, bool json) {
-  Result<DerivedModel> made = derive_model(arguments, true);
-  if (!made) return fail(made.errors(), kWrongInput);
-  const CpfgWord& word = made->derived.word;
+void info_cpfg(const GrammarArguments& arguments, bool json) {
+  DerivedModel made = or_fail(derive_model(arguments, true), kWrongInput);
+  const CpfgWord& word = made.derived.word;
   auto draws = [](const CpfgModule& module) { return module.symbol == 'F' || module.symbol == 'G'; };
-  auto segments = std::ranges::count_if(made->derived.drawing.word.modules, draws);
+  auto segments = std::ranges::count_if(made.derived.drawing.word.modules, draws);
   std::size_t bytes = word.modules.size() * sizeof(CpfgModule) + word.parameters.size() * sizeof(float);
   std::string_view form =
       json ? "{{\"forecast\": \"exact\", \"steps\": {}, \"modules\": {}, \"segments\": {}, \"bytes\": {}}}\n"
            : "exact: after {} steps {} modules, {} segments, {} bytes\n";
-  put(fmt::format(fmt::runtime(form), made->derived.steps, word.modules.size(), segments, bytes));
-  return kDone;
+  put(fmt::format(fmt::runtime(form), made.derived.steps, word.modules.size(), segments, bytes));
 }
 
-int derive_cpfg(const GrammarArguments& arguments) {
+void derive_cpfg(const GrammarArguments& arguments) {
   if (arguments.picture)
-    return fail(
+    fail(
         {{"--tree", "which symbol came from which is drawn of Frond's own grammars, not of a model of cpfg"}},
         kWrongInput);
   now_doing("deriving the word");
-  Result<DerivedModel> made = derive_model(arguments, false);
-  if (!made) return fail(made.errors(), kWrongInput);
-  if (!arguments.counts) {
-    put(text(made->derived.word, made->model));
+  DerivedModel made = or_fail(derive_model(arguments, false), kWrongInput);
+  if (arguments.format == "text") {
+    put(text(made.derived.word, made.model));
     put("\n");
-    return kDone;
+    return;
   }
   std::map<char, std::size_t> counts;
-  for (const CpfgModule& module : made->derived.word.modules) ++counts[module.symbol];
+  for (const CpfgModule& module : made.derived.word.modules) ++counts[module.symbol];
   for (const auto& [symbol, count] : counts) put(fmt::format("{} {}\n", symbol, count));
-  return kDone;
 }
 
-int turtle_cpfg(const GrammarArguments& arguments) {
+void turtle_cpfg(const GrammarArguments& arguments) {
   now_doing("deriving the word and walking along it");
-  Result<DerivedModel> made = derive_model(arguments, true);
-  if (!made) return fail(made.errors(), kWrongInput);
-  Result<CpfgFigure> figure = draw(made->model, made->derived.drawing);
-  if (!figure) return fail(figure.errors(), kWrongInput);
+  DerivedModel made = or_fail(derive_model(arguments, true), kWrongInput);
+  CpfgFigure figure = or_fail(draw(made.model, made.derived.drawing), kWrongInput);
   if (arguments.picture) {
-    Result<bool> written = write_file(*arguments.picture, svg_of(drawing_of(*figure)));
-    return written ? kDone : fail(written.errors(), kCouldNot);
+    or_fail(write_file(*arguments.picture, svg_of(drawing_of(figure))), kCouldNot);
+    return;
   }
-  put(measures(*figure));
-  return kDone;
+  put(measures(figure));
 }
 
 }  // namespace frond

@@ -10,8 +10,8 @@ namespace frond {
 bool is_cpfg_model(const std::string& path);
 
 /// `frond info`, `derive` and `turtle` of such a model.
-int info_cpfg(const GrammarArguments& arguments, bool json);
-int derive_cpfg(const GrammarArguments& arguments);
-int turtle_cpfg(const GrammarArguments& arguments);
+void info_cpfg(const GrammarArguments& arguments, bool json);
+void derive_cpfg(const GrammarArguments& arguments);
+void turtle_cpfg(const GrammarArguments& arguments);
 
 }  // namespace frond

@@ -131,19 +131,19 @@ std::string about_the_like(const std::vector<Topic>& topics, const std::vector<s
 
 }  // namespace
 
-int describe_properties(const std::vector<std::string>& words, bool json) {
+void describe_properties(const DescribeArguments& arguments) {
   std::vector<Topic> topics = topics_of(preset_schema());
-  std::string asked = fmt::format("{}", fmt::join(words, " "));
+  std::string asked = fmt::format("{}", fmt::join(arguments.words, " "));
   std::vector<Topic> found = asked.empty() ? topics : topics_about(topics, asked);
-  if (json) {
+  if (arguments.json) {
     Value all = make_list();
     for (const Topic& topic : found) all.items.push_back(json_of(topic));
     put(serialize_pretty(all) + "\n");
-    return kDone;
+    return;
   }
   if (asked.empty()) {
     put(contents(topics));
-    return kDone;
+    return;
   }
   std::vector<std::string> list = asked_words(asked);
   bool of_path = std::ranges::any_of(
@@ -156,7 +156,7 @@ int describe_properties(const std::vector<std::string>& words, bool json) {
     std::string near = nearest_topic(topics, asked);
     tell(fmt::format("{}: no property has this name, and none has these words; {}", printable(asked),
                      near.empty() ? "see `frond describe`" : fmt::format("did you mean \"{}\"?", near)));
-    return kWrongInput;
+    throw CommandEnd{kWrongInput};
   }
   if (found.empty()) put(fmt::format("{}: no property has this name\n", printable(asked)));
   put(properties_text(found, of_path || asked.find('/') != asked.npos));
@@ -169,7 +169,6 @@ int describe_properties(const std::vector<std::string>& words, bool json) {
     put(fmt::format("All kinds have {}, too: frond describe organism\n", shared));
   }
   put(others + like);
-  return kDone;
 }
 
 }  // namespace frond

@@ -8,19 +8,14 @@
 
 namespace frond {
 
-int develop_picture(const DevelopArguments& arguments) {
+void develop_picture(const DevelopArguments& arguments) {
   std::vector<std::string> drawn;
-  for (const std::string& path : arguments.pictures) {
-    Result<std::string> read = read_file(path);
-    if (!read) return fail(read.errors(), kCouldNot);
-    drawn.push_back(std::move(*read));
-  }
+  for (const std::string& path : arguments.pictures) drawn.push_back(or_fail(read_file(path), kCouldNot));
   Result<std::string> picture = develop(drawn, arguments.tone, arguments.depth);
   if (!picture)
-    return fail({Error{fmt::format("{}", fmt::join(arguments.pictures, ", ")), picture.errors()[0].what}},
-                kCouldNot);
-  Result<bool> written = write_file(arguments.out, *picture);
-  return written ? kDone : fail(written.errors(), kCouldNot);
+    fail({Error{fmt::format("{}", fmt::join(arguments.pictures, ", ")), picture.errors()[0].what}},
+         kCouldNot);
+  or_fail(write_file(arguments.out, *picture), kCouldNot);
 }
 
 }  // namespace frond

@@ -34,33 +34,29 @@ float pen_for(const std::array<int, 2>& size, double width) {
 
 }  // namespace
 
-int draw_ink(const DrawArguments& arguments) {
+void draw_ink(const DrawArguments& arguments) {
   limit_threads(arguments.threads);
-  Result<Preset> preset = load_preset(arguments.preset);
-  if (!preset) return fail(preset.errors(), kWrongInput);
-  if (preset->film.crop || preset->film.depth != 8)
-    return fail({{preset->film.crop ? "--crop" : "--depth", "drawings are whole pictures of 8 bits"}},
-                kWrongInput);
+  Preset preset = or_fail(load_preset(arguments.preset), kWrongInput);
+  if (preset.film.crop || preset.film.depth != 8)
+    fail({{preset.film.crop ? "--crop" : "--depth", "drawings are whole pictures of 8 bits"}}, kWrongInput);
   TracedRun run;
-  if (int code = run.begin(*preset, arguments, "drawn"); code != kDone) return code;
+  run.begin(preset,
+            arguments.out.empty() ? out_folder("", arguments.preset) / "drawn" : fs::path(arguments.out),
+            arguments.frames);
   const Film& film = run.scene->film;
   bool paper = !film.transparent();
   const std::array<int, 2>& size = film.size;
   InkStyle style{pen_for(size, arguments.pen), static_cast<float>(arguments.hatch), paper};
   now_doing("drawing frames");
   for (int frame = run.range.first; frame <= run.range.last; ++frame) {
-    Result<TracedFrame> traced = run.film->at(film.time(frame));
-    if (!traced) return fail(traced.errors(), kCouldNot);
-    Grid ink = ink_drawing(ink_samples(*traced, size[0], size[1], fine_for(size)), style);
-    Result<std::string> png = png_text(ink_picture(ink, paper));
-    if (!png) return fail(png.errors(), kCouldNot);
-    if (film.dpi > 0) png = with_density(*png, film.dpi);
+    TracedFrame traced = or_fail(run.film->at(film.time(frame)), kCouldNot);
+    Grid ink = ink_drawing(ink_samples(traced, size[0], size[1], fine_for(size)), style);
+    std::string png = or_fail(png_text(ink_picture(ink, paper)), kCouldNot);
+    if (film.dpi > 0) png = with_density(png, film.dpi);
     fs::path file = run.out / (frame_name(frame) + ".png");
-    Result<bool> written = write_file(file, *png);
-    if (!written) return fail(written.errors(), kCouldNot);
+    or_fail(write_file(file, png), kCouldNot);
     put(file.string() + "\n");
   }
-  return kDone;
 }
 
 }  // namespace frond

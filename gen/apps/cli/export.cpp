@@ -57,39 +57,31 @@ Errors unfit(const Format& format, const ExportArguments& to) {
 
 }  // namespace
 
-int export_scene(const ExportArguments& arguments) {
+void export_scene(const ExportArguments& arguments) {
   Heartbeat heartbeat(arguments.quiet);
   if (arguments.out.ends_with(".inc")) return export_include(arguments);
-  Result<const Format*> format = format_of(arguments.out);
-  if (!format) return fail(format.errors(), kWrongInput);
-  Result<Preset> preset = load_preset(arguments.preset);
-  if (!preset) return fail(preset.errors(), kWrongInput);
-  if (!arguments.quiet) tell_notes(preset->notes);
-  const Film& film = preset->film;
+  const Format* format = or_fail(format_of(arguments.out), kWrongInput);
+  Preset preset = or_fail(load_preset(arguments.preset), kWrongInput);
+  if (!arguments.quiet) tell_notes(preset.notes);
+  const Film& film = preset.film;
   ExportOptions options{.sides = arguments.sides,
                         .voxel = arguments.voxel,
                         .texture = arguments.texture,
                         .instances = arguments.instances,
                         .levels = arguments.levels};
-  if (Errors errors = set_detail(arguments.detail, options); !errors.empty())
-    return fail(errors, kWrongInput);
+  or_fail(set_detail(arguments.detail, options), kWrongInput);
   int frame = arguments.frame == 0 ? film.frames : arguments.frame;
-  if (arguments.frames) {
-    Result<int> last = set_keys(*arguments.frames, arguments.keys, film, options);
-    if (!last) return fail(last.errors(), kWrongInput);
-    frame = *last;
-  }
-  if (Errors errors = unfit(**format, arguments); !errors.empty()) return fail(errors, kWrongInput);
+  if (arguments.frames)
+    frame = or_fail(set_keys(*arguments.frames, arguments.keys, film, options), kWrongInput);
+  or_fail(unfit(*format, arguments), kWrongInput);
   if (frame < 1 || frame > film.frames)
-    return fail(
-        {Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", frame, film.frames)}},
-        kWrongInput);
-  if (Errors errors = refuse_file(arguments.out); !errors.empty()) return fail(errors, kCouldNot);
+    fail({Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", frame, film.frames)}},
+         kWrongInput);
+  or_fail(refuse_file(arguments.out), kCouldNot);
   if (Result<std::filesystem::path> folder = home())
     options.bake = {.home = *folder, .cache = cache_folder() / "materials"};
   now_doing("growing what stands in the scene");
-  Result<Scene> scene = build_scene(*preset);
-  if (!scene) return fail(scene.errors(), kWrongInput);
+  Scene scene = or_fail(build_scene(preset), kWrongInput);
 
   auto estimate_cost = [&](const ExportTold& told) {
     if (arguments.quiet) return;
@@ -99,19 +91,19 @@ int export_scene(const ExportArguments& arguments) {
     tell(fmt::format("{}: about {}; triangles: {}", arguments.out, bytes_text(told.bytes), levels));
   };
   now_doing("writing the mesh or the volume");
-  auto written = write_scene(**format, *scene, film.time(frame), options, arguments.out, estimate_cost);
+  auto written = write_scene(*format, scene, film.time(frame), options, arguments.out, estimate_cost);
   if (written) {
     if (!arguments.quiet && !written->empty())
       tell(fmt::format("note: at frame {} of {} nothing has grown yet of {}", frame, film.frames,
                        fmt::join(*written, ", ")));
-    return kDone;
+    return;
   }
   // What the disk says stands at a path; all else is what was asked for.
   Errors errors = written.errors();
   bool wrong = errors.front().where.empty();
   if (wrong) errors.front().where = arguments.out;
   bool early = wrong && errors.front().what.starts_with(kNothingYet);
-  return fail(errors, early ? kNothingGrown : wrong ? kWrongInput : kCouldNot);
+  fail(errors, early ? kNothingGrown : wrong ? kWrongInput : kCouldNot);
 }
 
 }  // namespace frond

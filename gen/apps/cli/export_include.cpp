@@ -94,41 +94,33 @@ Errors unfit_for_include(const ExportArguments& to) {
 
 }  // namespace
 
-int export_include(const ExportArguments& arguments) {
+void export_include(const ExportArguments& arguments) {
   fs::path out = arguments.out;
-  if (Errors errors = unfit_for_include(arguments); !errors.empty()) return fail(errors, kWrongInput);
-  if (Errors errors = refuse_file(out); !errors.empty()) return fail(errors, kCouldNot);
-  Result<Preset> preset = load_preset(arguments.preset);
-  if (!preset) return fail(preset.errors(), kWrongInput);
-  if (!arguments.quiet) tell_notes(preset->notes);
-  const Film& film = preset->film;
+  or_fail(unfit_for_include(arguments), kWrongInput);
+  or_fail(refuse_file(out), kCouldNot);
+  Preset preset = or_fail(load_preset(arguments.preset), kWrongInput);
+  if (!arguments.quiet) tell_notes(preset.notes);
+  const Film& film = preset.film;
   int last = arguments.frame == 0 ? film.frames : arguments.frame;
-  Result<FrameRange> range = read_frames(arguments.frames, film.frames, {last, last});
-  if (!range) return fail(range.errors(), kWrongInput);
-  if (range->last > film.frames)
-    return fail(
-        {Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", last, film.frames)}},
-        kWrongInput);
-  Result<CostEstimate> estimate = estimate_cost(*preset, {range->first, range->last});
+  FrameRange range = or_fail(read_frames(arguments.frames, film.frames, {last, last}), kWrongInput);
+  if (range.last > film.frames)
+    fail({Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", last, film.frames)}},
+         kWrongInput);
+  Result<CostEstimate> estimate = estimate_cost(preset, {range.first, range.last});
   Errors refused = estimate ? refuse(*estimate, this_machine(".")) : estimate.errors();
-  if (!refused.empty()) return fail(refused, kWrongInput);
-  Result<MacroFiles> macros = read_macros();
-  if (!macros) return fail(macros.errors(), kCouldNot);
-
+  or_fail(refused, kWrongInput);
   IncludeText text{include_name(out.stem().string()),
                    out.filename().string(),
-                   preset->title,
+                   preset.title,
                    arguments.preset.path,
-                   std::move(*macros),
+                   or_fail(read_macros(), kCouldNot),
                    {}};
-  for (int frame = range->first; frame <= range->last; ++frame) text.frames.push_back(frame);
+  for (int frame = range.first; frame <= range.last; ++frame) text.frames.push_back(frame);
   std::vector<IncludeVariant> variants;
   for (int i = 0; i < arguments.seeds; ++i) {
     now_doing("growing what stands in the scene");
-    preset->seed += i > 0 ? 1 : 0;
-    Result<IncludeVariant> variant = grow_variant(*preset, out);
-    if (!variant) return fail(variant.errors(), kCouldNot);
-    variants.push_back(std::move(*variant));
+    preset.seed += i > 0 ? 1 : 0;
+    variants.push_back(or_fail(grow_variant(preset, out), kCouldNot));
   }
   now_doing("writing the include");
   Result<std::string> written = include_text(text, variants);
@@ -136,13 +128,12 @@ int export_include(const ExportArguments& arguments) {
     Errors errors = written.errors();
     bool early = errors.front().what.starts_with(kNothingYet);
     if (errors.front().where.empty()) errors.front().where = arguments.out;
-    return fail(errors, early ? kNothingGrown : kWrongInput);
+    fail(errors, early ? kNothingGrown : kWrongInput);
   }
-  if (Result<bool> done = write_file(out, *written); !done) return fail(done.errors(), kCouldNot);
+  or_fail(write_file(out, *written), kCouldNot);
   if (!arguments.quiet)
     tell(fmt::format("{}: {}; in a scene: #include \"{}\", then object {{ {}(0, 0) }}", arguments.out,
                      bytes_text(static_cast<double>(written->size())), text.file, text.name));
-  return kDone;
 }
 
 }  // namespace frond

@@ -73,7 +73,7 @@ std::string_view word_of(std::string_view state) {
                                  : "";
 }
 
-int show_status(const fs::path& farm) {
+void show_status(const fs::path& farm) {
   fs::path job = farm / "latest";
   std::string text = farm_status(job);
   std::error_code error;
@@ -87,10 +87,9 @@ int show_status(const fs::path& farm) {
       put(printable(fmt::format("{} failed: {}", note.filename().string(), first_words_of(note))) + "\n");
   for (const fs::path& result : results_of(farm))
     if (result.stem() == "film" || result.stem() == "still") put(result.filename().string() + " is there\n");
-  return kDone;
 }
 
-int show_logs(const fs::path& farm) {
+void show_logs(const fs::path& farm) {
   constexpr std::size_t kLines = 20;
   std::string text;
   std::error_code error;
@@ -103,32 +102,24 @@ int show_logs(const fs::path& farm) {
       text += lines[i] + '\n';
   }
   put(text);
-  return kDone;
 }
 
-int end_jobs(const fs::path& farm) {
-  Errors errors = cancel_farm(farm);
-  return errors.empty() ? int{kDone} : fail_run(errors, kCouldNot);
-}
-
-int look_at(const FarmArguments& a, const fs::path& farm) {
+void look_at(const FarmArguments& a, const fs::path& farm) {
   std::error_code error;
   if (!fs::is_directory(farm / "latest", error))
-    return fail_run({{"", farm.string() + ": no film was handed to a farm there"}}, kWrongInput);
-  return a.status ? show_status(farm) : a.cancel ? end_jobs(farm) : show_logs(farm);
+    fail_run({{"", farm.string() + ": no film was handed to a farm there"}}, kWrongInput);
+  if (a.cancel && !a.status) return or_fail_run(cancel_farm(farm), kCouldNot);
+  a.status ? show_status(farm) : show_logs(farm);
 }
 
 }  // namespace
 
-int farm(const FarmArguments& a) {
-  if (std::string wrong = wrong_farm_words(a); !wrong.empty()) return fail_run({{"", wrong}}, kWrongInput);
-  std::error_code error;
-  const std::string& file = a.preset.path;
-  if (!fs::is_regular_file(file, error))
-    return fail_run({{"", file + ": no such preset" + nearest_presets(file)}}, kWrongInput);
-  fs::path out = a.out.empty() ? fs::path("out") / fs::path(file).stem() : fs::path(a.out);
+void farm(const FarmArguments& a) {
+  if (std::string wrong = wrong_farm_words(a); !wrong.empty()) fail_run({{"", wrong}}, kWrongInput);
+  refuse_missing(a.preset);
+  fs::path out = out_folder(a.out, a.preset);
   if (a.status || a.cancel || a.logs) return look_at(a, farm_folder(out));
-  FarmOrder order{.file = file,
+  FarmOrder order{.file = a.preset.path,
                   .assets = a.preset.assets,
                   .out = out,
                   .program = environment_or("FROND_BIN", own_program().string()),
@@ -142,24 +133,20 @@ int farm(const FarmArguments& a) {
                   .opencue = a.opencue};
   if (a.site) {
     Result<std::string> text = read_file(*a.site);
-    Result<FarmSite> site = text ? read_farm_site(*text, *a.site) : text.errors();
-    if (!site) return fail(site.errors(), kWrongInput);
-    order.site = std::move(*site);
+    order.site = or_fail(text ? read_farm_site(*text, *a.site) : text.errors(), kWrongInput);
   }
-  Result<Preset> preset = load_preset(a.preset);
-  if (!preset) return fail(preset.errors(), kWrongInput);
+  Preset preset = or_fail(load_preset(a.preset), kWrongInput);
   PresetArguments rest = a.preset;
   rest.assets.reset();
   add_words(order.words, rest);
   order.words.erase(order.words.begin());  // the preset
   StopSignals stop;
   TerminalEvents events;
-  RenderedFilm handed = hand_over(order, *preset, stop, events);
-  if (handed.outcome.stopped) return kInterrupted;
+  RenderedFilm handed = hand_over(order, preset, stop, events);
+  if (handed.outcome.stopped) throw CommandEnd{kInterrupted};
   if (!handed.outcome.well())
-    return fail_run(handed.outcome.errors, handed.outcome.of_the_preset ? kWrongInput : kCouldNot);
+    fail_run(handed.outcome.errors, handed.outcome.of_the_preset ? kWrongInput : kCouldNot);
   for (const fs::path& result : handed.results) put(result.string() + "\n");
-  return kDone;
 }
 
 }  // namespace frond

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -18,6 +17,7 @@
 #include "core/printable.h"
 #include "core/text.h"
 #include "farm/farm_folder.h"
+#include "farm/farm_plan.h"
 #include "jobs/jobs.h"
 #include "render/bands.h"
 #include "render/local_folder.h"
@@ -79,20 +79,20 @@ class FarmTask {
         cpus_(cpus > 0 ? cpus : thread_count()),
         host_(host()) {}
 
-  int frames(int first, int last, int chunk, int task);
-  int band(int bands, int band);
-  int film();
+  void frames(int first, int last, int chunk, int task);
+  void band(int bands, int band);
+  void film();
 
  private:
   fs::path picture(const std::string& name) const { return pictures_ / (name + ".png"); }
-  int fail_here(const std::string& what) const { return fail_run({{"", what}}, kCouldNot); }
+  [[noreturn]] void fail_here(const std::string& what) const { fail_run({{"", what}}, kCouldNot); }
   int generate(const std::vector<std::string>& options, int err);
-  int prepare(const std::string& name, std::vector<std::string> options);
+  void prepare(const std::string& name, std::vector<std::string> options);
   void bring_models();
   std::size_t render(const std::vector<Wanted>& all);
   Command frame(const Wanted& wanted, int threads, const OutputCapture& said) const;
   bool finished(const Wanted& wanted, int code, const std::string& said);
-  int join(int bands, std::array<int, 2> size);
+  void join(int bands, std::array<int, 2> size);
 
   fs::path folder_;
   Result<Manifest> manifest_;
@@ -101,28 +101,25 @@ class FarmTask {
   std::string host_, size_, flags_;
   StopSignals stop_;
   LocalFolder local_;
-  bool stopped_ = false;
 };
 
 /// Calls `frond generate` as the film was asked for.
 int FarmTask::generate(const std::vector<std::string>& options, int err) {
-  Result<FarmCall> call = read_farm_call(folder_);
-  if (!call) return fail_run(call.errors(), kCouldNot);
-  Command command = generate_command(folder_, *call, local_.path(), options);
+  FarmCall call = or_fail_run(read_farm_call(folder_), kCouldNot);
+  Command command = generate_command(folder_, call, local_.path(), options);
   command.err = err;
-  Result<pid_t> process = start(command);
-  if (!process) return fail_run(process.errors(), kCouldNot);
-  std::optional<int> code = stop_.wait_for(*process);
+  pid_t process = or_fail_run(start(command), kCouldNot);
+  std::optional<int> code = stop_.wait_for(process);
   if (code) return *code;
-  ::kill(*process, SIGTERM);
-  wait_for(*process);
+  ::kill(process, SIGTERM);
+  wait_for(process);
   return kStopped;
 }
 
 /// Generates in the task's own folder.
-int FarmTask::prepare(const std::string& name, std::vector<std::string> options) {
+void FarmTask::prepare(const std::string& name, std::vector<std::string> options) {
   if (local_.path().empty())
-    return fail_here(fmt::format("{}: no folder can be made there on {}", local_.near().string(), host_));
+    fail_here(fmt::format("{}: no folder can be made there on {}", local_.near().string(), host_));
   std::error_code error;
   fs::create_directories(local_.path() / "frames", error);
   for (const fs::path& file : files_in(folder_ / "models"))
@@ -134,15 +131,13 @@ int FarmTask::prepare(const std::string& name, std::vector<std::string> options)
   for (const std::string& line : lines_of(said.text())) say(line);
   if (code != kDone) {
     if (code != kStopped) note_failure(folder_, name, said.text());
-    return code;
+    throw CommandEnd{code};
   }
   note_failure(folder_, name, "");
   bring_models();
-  Result<std::string> ninja = read_file(local_.path() / "build.ninja");
-  if (!ninja) return fail_run(ninja.errors(), kCouldNot);
-  size_ = ninja_variable(*ninja, "size");
-  flags_ = ninja_variable(*ninja, "flags");
-  return kDone;
+  std::string ninja = or_fail_run(read_file(local_.path() / "build.ninja"), kCouldNot);
+  size_ = ninja_variable(ninja, "size");
+  flags_ = ninja_variable(ninja, "flags");
 }
 
 /// Files beside frames bear the name of what is in them: what one task has grown serves all, and only one
@@ -156,7 +151,7 @@ void FarmTask::bring_models() {
     std::FILE* claimed = std::fopen(claim.c_str(), "wxe");
     if (!claimed) continue;
     std::fclose(claimed);
-    if (Errors errors = deliver(file, place); !errors.empty()) fail_run(errors, kCouldNot);
+    tell_failure(deliver(file, place));
   }
 }
 
@@ -183,7 +178,7 @@ bool FarmTask::finished(const Wanted& wanted, int code, const std::string& said)
   }
   fs::path made = local_.path() / "frames" / (wanted.name + ".png");
   if (Errors errors = deliver(made, picture(wanted.name)); !errors.empty()) {
-    fail_run(errors, kCouldNot);
+    tell_failure(errors);
     return false;
   }
   std::error_code error;
@@ -202,19 +197,20 @@ std::size_t FarmTask::render(const std::vector<Wanted>& all) {
   std::map<pid_t, Running> running;
   int threads = std::max(1, cpus_ / static_cast<int>(all.size()));
   std::size_t failed = 0, next = 0;
-  while (!stopped_ && (next < all.size() || !running.empty())) {
+  bool stopped = false;
+  while (!stopped && (next < all.size() || !running.empty())) {
     if (next < all.size() && static_cast<int>(running.size()) < cpus_) {
       auto said = std::make_unique<OutputCapture>();
       Result<pid_t> process = start(frame(all[next], threads, *said));
       if (process)
         running[*process] = {&all[next], std::move(said)};
       else
-        fail_run(process.errors(), kCouldNot), ++failed;
+        tell_failure(process.errors()), ++failed;
       ++next;
       continue;
     }
     std::optional<StopSignals::Ended> ended = stop_.wait_for_any();
-    stopped_ = !ended;
+    stopped = !ended;
     auto at = ended ? running.find(ended->process) : running.end();
     if (at == running.end()) continue;
     if (!finished(*at->second.wanted, ended->code, at->second.said->text())) ++failed;
@@ -222,10 +218,11 @@ std::size_t FarmTask::render(const std::vector<Wanted>& all) {
   }
   for (const auto& [process, frame] : running) ::kill(process, SIGTERM);
   for (const auto& [process, frame] : running) wait_for(process);
+  if (stopped) throw CommandEnd{kStopped};
   return failed;
 }
 
-int FarmTask::frames(int first, int last, int chunk, int task) {
+void FarmTask::frames(int first, int last, int chunk, int task) {
   int from = first + (task - 1) * chunk, to = std::min(from + chunk - 1, last);
   std::vector<Wanted> missing;
   std::vector<int> numbers;
@@ -236,41 +233,36 @@ int FarmTask::frames(int first, int last, int chunk, int task) {
   }
   if (missing.empty()) {
     say(fmt::format("Frames {} to {} are done already", from, to));
-    return kDone;
+    return;
   }
-  int code = prepare(fmt::format("frames_{}-{}", from, to),
-                     {"--alone", fmt::format("--frames={}-{}", numbers.front(), numbers.back())});
-  if (code != kDone) return code;
-  std::size_t failed = render(missing);
-  if (stopped_) return kStopped;
-  if (failed == 0) return kDone;
-  return fail_here(fmt::format("{} of {} frames could not be rendered on {}", failed, missing.size(), host_));
+  prepare(fmt::format("frames_{}-{}", from, to),
+          {"--alone", fmt::format("--frames={}-{}", numbers.front(), numbers.back())});
+  if (std::size_t failed = render(missing))
+    fail_here(fmt::format("{} of {} frames could not be rendered on {}", failed, missing.size(), host_));
 }
 
-int FarmTask::band(int bands, int band) {
-  std::string name = fmt::format("band_{}_of_{}", band, bands);
+void FarmTask::band(int bands, int band) {
+  std::string name = band_name(band, bands);
   if (whole_picture(picture(name))) {
     say(fmt::format("Band {} is done already", band));
-    return kDone;
+    return;
   }
-  if (int code = prepare(name, {}); code != kDone) return code;
+  prepare(name, {});
   BandRows rows = band_rows(bands, band, size_of(size_)[1]);
   std::size_t failed =
       render({{frame_name(1), name, {fmt::format("+SR{}", rows.top + 1), fmt::format("+ER{}", rows.below)}}});
-  if (stopped_) return kStopped;
-  return failed ? fail_here(fmt::format("band {} could not be rendered on {}", band, host_)) : int{kDone};
+  if (failed > 0) fail_here(fmt::format("band {} could not be rendered on {}", band, host_));
 }
 
 /// Joins the bands of a still. Those that are damaged go, so that they are rendered again.
-int FarmTask::join(int bands, std::array<int, 2> size) {
+void FarmTask::join(int bands, std::array<int, 2> size) {
   std::vector<std::string> pngs;
   bool damaged = false;
   std::error_code error;
   for (int band = 1; band <= bands; ++band) {
-    fs::path file = picture(fmt::format("band_{}_of_{}", band, bands));
+    fs::path file = picture(band_name(band, bands));
     if (!fs::exists(file, error))
-      return fail_here(
-          fmt::format("band {} of {} is missing; the same call of farm.sh renders it", band, bands));
+      fail_here(fmt::format("band {} of {} is missing; the same call of farm.sh renders it", band, bands));
     Result<std::string> png = whole_picture(file, size);
     if (png) {
       pngs.push_back(std::move(*png));
@@ -281,33 +273,28 @@ int FarmTask::join(int bands, std::array<int, 2> size) {
     fs::remove(file, error);
     damaged = true;
   }
-  if (damaged) return fail_here("the bands could not be joined");
+  if (damaged) fail_here("the bands could not be joined");
   Result<std::string> whole = join_bands(pngs);
-  if (!whole) return fail_here("the bands could not be joined: " + whole.errors()[0].what);
+  if (!whole) fail_here("the bands could not be joined: " + whole.errors()[0].what);
   fs::path still = picture(frame_name(1));
-  Errors errors = put_text(part_of(still), still, *whole);
-  return errors.empty() ? int{kDone} : fail_run(errors, kCouldNot);
+  or_fail_run(put_text(part_of(still), still, *whole), kCouldNot);
 }
 
-int FarmTask::film() {
-  if (!manifest_) return fail_run(manifest_.errors(), kCouldNot);
-  const Manifest& manifest = *manifest_;
+void FarmTask::film() {
+  const Manifest manifest = or_fail_run(manifest_, kCouldNot);
   std::vector<std::string> results{film_file(film_format(manifest.transparent)), "contact.png"};
   std::error_code error;
   if (manifest.still) {
     results = {"still.png"};
-    Result<std::string> bands = read_file(folder_ / "bands");
-    int count = 0;
-    if (bands) std::from_chars(bands->data(), bands->data() + bands->size(), count);
-    if (count > 0 && !fs::exists(picture(frame_name(1)), error))
-      if (int code = join(count, manifest.size); code != kDone) return code;
+    int bands = bands_of(folder_);
+    if (bands > 0 && !fs::exists(picture(frame_name(1)), error)) join(bands, manifest.size);
   }
   std::vector<int> lost;
   auto [first, last] = manifest.drawn();
   for (int frame = first; frame <= last; ++frame)
     if (!whole_picture(picture(frame_name(frame)))) lost.push_back(frame);
   if (!lost.empty())
-    return fail_here(
+    fail_here(
         fmt::format("frames {} are missing; the same call of farm.sh renders them", fmt::join(lost, " ")));
   Command command;
   command.words = {"ninja"};
@@ -317,19 +304,16 @@ int FarmTask::film() {
   command.end_with = SIGTERM;
   Result<pid_t> process = start(command);
   std::optional<int> code = process ? stop_.wait_for(*process) : 1;
-  if (!code) return kStopped;
-  if (*code != 0) return fail_here(folder_.string() + ": the film could not be made; its frames are kept");
+  if (!code) throw CommandEnd{kStopped};
+  if (*code != 0) fail_here(folder_.string() + ": the film could not be made; its frames are kept");
   for (const std::string& result : results)
-    if (Errors errors = deliver(folder_ / result, folder_.parent_path().parent_path() / result);
-        !errors.empty())
-      return fail_run(errors, kCouldNot);
+    or_fail_run(deliver(folder_ / result, folder_.parent_path().parent_path() / result), kCouldNot);
   for (const char* inside : {"frames", "models"})
     for (const fs::path& file : files_in(folder_ / inside))
       if (file.filename().string().starts_with('.') &&
           (file.extension() == ".part" || file.extension() == ".claim"))
         fs::remove(file, error);
   say(fmt::format("{}: done, on {}", fmt::join(results, " "), host_));
-  return kDone;
 }
 
 /// Whole numbers from 1 on; empty where one of the words is none.
@@ -345,7 +329,7 @@ std::vector<int> numbers_of(const std::vector<std::string>& words) {
 
 }  // namespace
 
-int farm_task(const TaskArguments& arguments) {
+void farm_task(const TaskArguments& arguments) {
   std::error_code error;
   FarmTask task(fs::absolute(arguments.folder, error), arguments.cpus);
   if (arguments.work == "film") return task.film();
@@ -356,7 +340,7 @@ int farm_task(const TaskArguments& arguments) {
   if (numbers.size() == wanted && arguments.work == "frames")
     return task.frames(numbers[0], numbers[1], numbers[2], numbers[3]);
   if (numbers.size() == wanted && arguments.work == "bands") return task.band(numbers[0], numbers[1]);
-  return fail_run({{"", "expected frames FIRST LAST CHUNK [TASK], bands N [TASK] or film"}}, kWrongInput);
+  fail_run({{"", "expected frames FIRST LAST CHUNK [TASK], bands N [TASK] or film"}}, kWrongInput);
 }
 
 }  // namespace frond

@@ -29,17 +29,14 @@ Errors make(const FilmArguments& arguments, std::vector<std::filesystem::path> p
 
 }  // namespace
 
-int film(const FilmArguments& arguments) {
-  Result<std::string> list = read_file(arguments.list);
-  if (!list) return fail_run(list.errors(), kCouldNot);
+void film(const FilmArguments& arguments) {
+  std::string list = or_fail_run(read_file(arguments.list), kCouldNot);
   std::vector<std::filesystem::path> pictures;
-  for (std::string& line : lines_of(*list)) pictures.emplace_back(std::move(line));
-  if (pictures.empty())
-    return fail_run({{arguments.list, "names no picture; expected one a line"}}, kWrongInput);
+  for (std::string& line : lines_of(list)) pictures.emplace_back(std::move(line));
+  if (pictures.empty()) fail_run({{arguments.list, "names no picture; expected one a line"}}, kWrongInput);
   if (!is_number_above_zero(arguments.fps))
-    return fail_run({{"--fps", "\"" + arguments.fps + "\" is no number above 0"}}, kWrongInput);
-  Errors errors = make(arguments, std::move(pictures));
-  return errors.empty() ? kDone : fail_run(errors, kCouldNot);
+    fail_run({{"--fps", "\"" + arguments.fps + "\" is no number above 0"}}, kWrongInput);
+  or_fail_run(make(arguments, std::move(pictures)), kCouldNot);
 }
 
 }  // namespace frond

@@ -16,26 +16,21 @@
 
 namespace frond {
 
-int frame(const FrameArguments& arguments) {
+void frame(const FrameArguments& arguments) {
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // it ends with the one that called it, however that ends
   FrameJob job;
   job.scene = arguments.scene;
   job.picture = arguments.picture;
   job.size = size_of(arguments.size);
   if (job.size[0] == 0)
-    return fail_run({{"", arguments.size + " is no size; expected WIDTHxHEIGHT, as in 640x360"}},
-                    kWrongInput);
+    fail_run({{"", arguments.size + " is no size; expected WIDTHxHEIGHT, as in 640x360"}}, kWrongInput);
   job.flags = arguments.flags;
-  Result<std::filesystem::path> root = home();
-  if (!root) return fail_run(root.errors(), kCouldNot);
-  job.home = *root;
+  job.home = or_fail_run(home(), kCouldNot);
   job.povray = environment_or("FROND_POVRAY", "povray");
   job.confined = environment_or("FROND_UNCONFINED", "").empty();
   std::string threads = environment_or("FROND_THREADS", "1");
   std::from_chars(threads.data(), threads.data() + threads.size(), job.threads);
-  Result<bool> made = render_frame(job);
-  if (!made) return fail_run(made.errors(), kCouldNot);
-  return *made ? kDone : kStopped;
+  if (!or_fail_run(render_frame(job), kCouldNot)) throw CommandEnd{kStopped};
 }
 
 }  // namespace frond

@@ -28,41 +28,36 @@ std::vector<std::string> resolve_words(PresetArguments preset, const fs::path& o
 
 }  // namespace
 
-int generate(GenerateArguments arguments) {
+void generate(const GenerateArguments& arguments) {
   limit_threads(arguments.threads);
   TerminalEvents events(arguments.quiet);
   events.doing("reading the preset");
-  fs::path file = arguments.preset.path;
-  fs::path out = arguments.out.empty() ? fs::path("out") / file.stem() : fs::path(arguments.out);
-  Result<Preset> preset = load_preset(arguments.preset);
-  if (!preset) return fail(preset.errors(), kWrongInput);
+  PresetArguments asked = arguments.preset;
+  fs::path out = out_folder(arguments.out, asked);
+  Preset preset = or_fail(load_preset(asked), kWrongInput);
   auto again = [&](const std::vector<std::string>& sets) {
-    PresetArguments more = arguments.preset;
+    PresetArguments more = asked;
     more.sets.insert(more.sets.end(), sets.begin(), sets.end());
     return load_preset(more);
   };
-  Result<std::vector<Manifest::Budget>> budgets = count_budgets(*preset, again, out, events);
-  if (!budgets) return fail(budgets.errors(), kWrongInput);
-  for (const Manifest::Budget& budget : *budgets) arguments.preset.sets.push_back(set_of(budget));
-  if (Errors errors = refuse_resolving(preset->film, arguments.resolve); !errors.empty())
-    return fail(errors, kWrongInput);
-  preset->film.raw = is_resolved(preset->film, arguments.resolve);
-  Result<FrameRange> range = read_frames(arguments.frames, preset->film.frames, {1, preset->film.frames});
-  if (!range) return fail(range.errors(), kWrongInput);
-  Result<fs::path> root = home();
-  if (!root) return fail(root.errors(), kCouldNot);
-  FilmFolder film{*preset,
-                  file,
-                  *range,
-                  *root,
+  std::vector<Manifest::Budget> budgets = or_fail(count_budgets(preset, again, out, events), kWrongInput);
+  for (const Manifest::Budget& budget : budgets) asked.sets.push_back(set_of(budget));
+  or_fail(refuse_resolving(preset.film, arguments.resolve), kWrongInput);
+  preset.film.raw = is_resolved(preset.film, arguments.resolve);
+  FrameRange range =
+      or_fail(read_frames(arguments.frames, preset.film.frames, {1, preset.film.frames}), kWrongInput);
+  FilmFolder film{preset,
+                  asked.path,
+                  range,
+                  or_fail(home(), kCouldNot),
                   out,
                   own_program(),
-                  resolve_words(arguments.preset, out),
-                  std::move(*budgets),
+                  resolve_words(asked, out),
+                  std::move(budgets),
                   arguments.alone};
   Outcome written = arguments.film_only ? write_film_only(film, events) : write_film(film, events);
-  if (written.well()) return kDone;
-  return fail(written.errors, written.of_the_preset ? kWrongInput : kCouldNot);
+  if (written.well()) return;
+  fail(written.errors, written.of_the_preset ? kWrongInput : kCouldNot);
 }
 
 }  // namespace frond

@@ -91,41 +91,41 @@ Bounds box_of(const Figure& figure) {
 
 }  // namespace
 
-int import_rules(const ImportArguments& arguments) {
+void import_rules(const ImportArguments& arguments) {
   const std::string& path = arguments.path;
   Result<std::string> text = read_file(path);
   GrammarKind kind = grammar_kind(path, text ? *text : "");
   if (text && kind == GrammarKind::preset)
-    return fail({{path,
-                  "expected a model of cpfg (.l), a grammar of LParser (.ls), Houdini (.txt) or Fractint, "
-                  "or a skeleton (.swc)"}},
-                kWrongInput);
+    fail({{path,
+           "expected a model of cpfg (.l), a grammar of LParser (.ls), Houdini (.txt) or Fractint, "
+           "or a skeleton (.swc)"}},
+         kWrongInput);
   bool measured = kind == GrammarKind::skeleton;
-  if (arguments.z_up && !measured) return fail({{"--z-up", "only skeletons (.swc) are turned"}}, kWrongInput);
+  if (arguments.z_up && !measured) fail({{"--z-up", "only skeletons (.swc) are turned"}}, kWrongInput);
   Result<GrammarText> grammar = !text      ? text.errors()
                                 : measured ? import_skeleton(plain_text(*text), arguments.z_up)
                                            : import_grammar(path, *text, arguments.system);
-  if (!grammar) return fail(in_file(grammar.errors(), path), kWrongInput);
+  if (!grammar) fail(in_file(grammar.errors(), path), kWrongInput);
   if (arguments.mutations > 0 && grammar->dialect != Dialect::lparser)
-    return fail({{"--mutate", "only grammars of LParser are mutated"}}, kWrongInput);
+    fail({{"--mutate", "only grammars of LParser are mutated"}}, kWrongInput);
   if (arguments.steps) grammar->steps = *arguments.steps, grammar->last_step = 1;
   grammar->seed = arguments.seed.value_or(grammar->seed);
   grammar->mutations += arguments.mutations;
   *grammar = mutated(std::move(*grammar));
   for (char leaf : kLeaves) grammar->organs.emplace_back(1, leaf);
   Result<Grammar> compiled = compile(*grammar);
-  if (!compiled) return fail(in_file(compiled.errors(), path), kWrongInput);
+  if (!compiled) fail(in_file(compiled.errors(), path), kWrongInput);
   tell_notes(in_file(compiled->warnings, path));
   Result<Figure> figure =
       figure_of(*compiled, grammar->growth(), Seed{grammar->seed}, grammar->limits, grammar->organs);
-  if (!figure) return fail(in_file(figure.errors(), path), kWrongInput);
+  if (!figure) fail(in_file(figure.errors(), path), kWrongInput);
   ImportedPlant plant{box_of(*figure), {0.35, 0.12, 1}, properties_of(*grammar), looks_of(*grammar, *figure)};
   if (measured) {
     const Vec3 size = plant.box.size();
     plant.measured = std::max({size.x, size.y, size.z}) <= kLargestMeasured;
     plant.looks.set("thickness", make_object({{"from", {}, make_text("turtle")}}));
   }
-  return write_imported(arguments, plant);
+  write_imported(arguments, plant);
 }
 
 }  // namespace frond

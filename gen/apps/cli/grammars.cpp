@@ -53,8 +53,8 @@ Result<Grammar> load_grammar(const std::string& path, const std::optional<std::s
 }
 
 /// Says why a derivation came to no end.
-int fail_derivation(const Errors& errors, const Grammar& grammar, const std::string& path) {
-  return fail(in_file(placed(errors, grammar.text), path), kWrongInput);
+[[noreturn]] void fail_derivation(const Errors& errors, const Grammar& grammar, const std::string& path) {
+  fail(in_file(placed(errors, grammar.text), path), kWrongInput);
 }
 
 /// The grammar with what the command line says about its rules and angle.
@@ -81,23 +81,22 @@ Result<Loaded> load(const GrammarArguments& arguments) {
 }
 
 /// Writes a picture, if one was asked for.
-int write_picture(const GrammarArguments& arguments, const Grammar& grammar, const Result<std::string>& svg) {
-  if (!svg) return fail_derivation(svg.errors(), grammar, arguments.path);
-  Result<bool> written = write_file(*arguments.picture, *svg);
-  return written ? kDone : fail(written.errors(), kCouldNot);
+void write_picture(const GrammarArguments& arguments, const Grammar& grammar,
+                   const Result<std::string>& svg) {
+  if (!svg) fail_derivation(svg.errors(), grammar, arguments.path);
+  or_fail(write_file(*arguments.picture, *svg), kCouldNot);
 }
 
 std::string list(DVec3 v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); }
 
 }  // namespace
 
-int info_grammar(const std::string& path, const std::optional<std::string>& assets, bool json) {
+void info_grammar(const std::string& path, const std::optional<std::string>& assets, bool json) {
   GrammarArguments arguments;
   arguments.path = path, arguments.assets = assets;
   if (is_cpfg_model(path)) return info_cpfg(arguments, json);
-  Result<Loaded> loaded = load(arguments);
-  if (!loaded) return fail(loaded.errors(), kWrongInput);
-  const auto& [grammar, steps, seed] = *loaded;
+  Loaded loaded = or_fail(load(arguments), kWrongInput);
+  const auto& [grammar, steps, seed] = loaded;
   Forecast size = forecast(grammar, static_cast<int>(std::ceil(steps)), seed, grammar.text.limits);
   constexpr const char* kKinds[] = {"exact", "expected", "extrapolated", "at least"};
   std::string_view form =
@@ -106,62 +105,56 @@ int info_grammar(const std::string& path, const std::optional<std::string>& asse
            : "{}: after {} steps {:.15g} modules, {:.15g} segments, {:.15g} bytes\n";
   put(fmt::format(fmt::runtime(form), kKinds[static_cast<int>(size.kind)], steps, size.modules, size.segments,
                   size.bytes));
-  Errors errors = refuse(size, grammar.text.limits);
-  return errors.empty() ? kDone : fail_derivation(errors, grammar, path);
+  if (Errors errors = refuse(size, grammar.text.limits); !errors.empty())
+    fail_derivation(errors, grammar, path);
 }
 
-int check_grammar(const PresetArguments& arguments) {
+void check_grammar(const PresetArguments& arguments) {
   const std::string& path = arguments.path;
   if (!arguments.sets.empty())
-    return fail({{path, "is a grammar, of which --set sets nothing; expected a preset"}}, kWrongInput);
+    fail({{path, "is a grammar, of which --set sets nothing; expected a preset"}}, kWrongInput);
   if (is_cpfg_model(path)) {
-    Result<CpfgModel> model = read_cpfg(path);
-    if (!model) return fail(model.errors(), kWrongInput);
-    for (const std::string& note : model->notes) tell("note: " + note);
+    CpfgModel model = or_fail(read_cpfg(path), kWrongInput);
+    for (const std::string& note : model.notes) tell("note: " + note);
   } else {
     Result<Grammar> grammar = load_grammar(path, arguments.assets, {});
-    if (!grammar) return fail(in_file(grammar.errors(), path), kWrongInput);
+    if (!grammar) fail(in_file(grammar.errors(), path), kWrongInput);
     tell_notes(in_file(grammar->warnings, path));
   }
   tell(fmt::format(
       "{0}: a grammar, no preset, and without a fault; `frond turtle {0} --svg FILE.svg` draws it, "
       "`frond derive {0}` derives it, `frond import {0}` writes a preset of one of another program",
       path));
-  return kDone;
 }
 
-int derive_word(const GrammarArguments& arguments) {
+void derive_word(const GrammarArguments& arguments) {
   if (is_cpfg_model(arguments.path)) return derive_cpfg(arguments);
-  Result<Loaded> loaded = load(arguments);
-  if (!loaded) return fail(loaded.errors(), kWrongInput);
-  const auto& [grammar, exact, seed] = *loaded;
+  Loaded loaded = or_fail(load(arguments), kWrongInput);
+  const auto& [grammar, exact, seed] = loaded;
   now_doing("deriving the word");
   auto steps = static_cast<int>(std::ceil(exact));
   if (arguments.picture) return write_picture(arguments, grammar, derivation_tree_svg(grammar, steps, seed));
   Result<Word> word = derive(grammar, steps, seed, grammar.text.limits);
-  if (!word) return fail_derivation(word.errors(), grammar, arguments.path);
-  if (arguments.counts) {
+  if (!word) fail_derivation(word.errors(), grammar, arguments.path);
+  if (arguments.format == "counts") {
     for (const auto& [name, count] : counts(grammar, *word)) put(fmt::format("{} {}\n", name, count));
   } else {
     put(text(grammar, *word));
     put("\n");
   }
-  return kDone;
 }
 
-int walk_turtle(const GrammarArguments& arguments) {
+void walk_turtle(const GrammarArguments& arguments) {
   if (is_cpfg_model(arguments.path)) return turtle_cpfg(arguments);
-  Result<Loaded> loaded = load(arguments);
-  if (!loaded) return fail(loaded.errors(), kWrongInput);
-  const auto& [grammar, steps, seed] = *loaded;
+  Loaded loaded = or_fail(load(arguments), kWrongInput);
+  const auto& [grammar, steps, seed] = loaded;
   const Limits& limits = grammar.text.limits;
   now_doing("deriving the word and walking along it");
   Forecast size = forecast(grammar, static_cast<int>(std::ceil(steps)), seed, limits);
-  if (Errors errors = refuse(size, limits); !errors.empty())
-    return fail_derivation(errors, grammar, arguments.path);
+  if (Errors errors = refuse(size, limits); !errors.empty()) fail_derivation(errors, grammar, arguments.path);
   if (arguments.picture) return write_picture(arguments, grammar, turtle_svg(grammar, steps, seed, limits));
   Result<TurtleStats> stats = stats_of(grammar, steps, seed, limits);
-  if (!stats) return fail_derivation(stats.errors(), grammar, arguments.path);
+  if (!stats) fail_derivation(stats.errors(), grammar, arguments.path);
   std::string ends;
   for (DVec3 end : stats->end_positions) ends += (ends.empty() ? "" : ", ") + list(end);
   put(fmt::format(
@@ -172,7 +165,6 @@ int walk_turtle(const GrammarArguments& arguments) {
       stats->segments, stats->total_length, list(stats->end_position), list(stats->end_heading),
       list(stats->end_left), list(stats->end_up), list(stats->low), list(stats->high), stats->max_stack_depth,
       stats->polygons, stats->end_positions.size(), ends));
-  return kDone;
 }
 
 }  // namespace frond

@@ -66,11 +66,11 @@ std::string preset_path(const ImportArguments& arguments) {
   return fs::path(arguments.path).replace_extension(".json").string();
 }
 
-int write_imported(const ImportArguments& arguments, const ImportedPlant& plant) {
+void write_imported(const ImportArguments& arguments, const ImportedPlant& plant) {
   DVec3 size(plant.box.size());
   if (plant.box.empty() || !(glm::length(size) > 0))
-    return fail({{arguments.path, "its turtle draws nothing; does it need more steps? --steps sets them"}},
-                kWrongInput);
+    fail({{arguments.path, "its turtle draws nothing; does it need more steps? --steps sets them"}},
+         kWrongInput);
   if (!plant.measured) size *= kLongest / std::max({size.x, size.y, size.z});
   Value title = make_text(fs::path(arguments.path).stem().string());
   Value film = make_object(), stand = make_object(), one = make_object(), preset = make_object();
@@ -87,8 +87,7 @@ int write_imported(const ImportArguments& arguments, const ImportedPlant& plant)
       .set("version", make_number(kPresetVersion))
       .set("film", film.set("quality", make_text("good")));
   preset.set("scene", scene_of(size, plant.side)).set("organisms", make_list({one}));
-  Result<bool> written = write_file(preset_path(arguments), serialize_pretty(preset));
-  return written ? kDone : fail(written.errors(), kCouldNot);
+  or_fail(write_file(preset_path(arguments), serialize_pretty(preset)), kCouldNot);
 }
 
 }  // namespace frond

@@ -19,9 +19,9 @@ struct ImportedPlant {
 std::string preset_path(const ImportArguments& arguments);
 
 /// Writes the preset: the plant, a metre along its longest side, before the wall of the studio.
-int write_imported(const ImportArguments& arguments, const ImportedPlant& plant);
+void write_imported(const ImportArguments& arguments, const ImportedPlant& plant);
 
 /// The command for grammars of LParser and Houdini, whose rules it writes into the preset.
-int import_rules(const ImportArguments& arguments);
+void import_rules(const ImportArguments& arguments);
 
 }  // namespace frond

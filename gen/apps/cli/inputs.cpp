@@ -118,6 +118,20 @@ std::string nearest_presets(const std::string& path) {
   return found.empty() ? "" : fmt::format("; did you mean {}?", found);
 }
 
+void refuse_missing(const PresetArguments& preset) {
+  std::error_code error;
+  if (!fs::is_regular_file(preset.path, error))
+    fail_run({{"", preset.path + ": no such preset" + nearest_presets(preset.path)}}, kWrongInput);
+}
+
+fs::path out_folder(const std::string& asked, const PresetArguments& preset, std::string_view ending) {
+  return asked.empty() ? fs::path("out") / out_file("", preset, ending) : fs::path(asked);
+}
+
+std::string out_file(const std::string& asked, const PresetArguments& preset, std::string_view ending) {
+  return asked.empty() ? fs::path(preset.path).stem().string().append(ending) : asked;
+}
+
 Result<Assets> assets_of(const std::string& path, const std::optional<std::string>& named) {
   Result<std::optional<fs::path>> only = assets_folder(named);
   if (!only) return only.errors();

@@ -24,6 +24,15 @@ std::string render_command();
 /// mean "presets/trees/oak.json"?`. Empty where none is near.
 std::string nearest_presets(const std::string& path);
 
+/// Fails where the file of a preset is not there, and names the nearest.
+void refuse_missing(const PresetArguments& preset);
+
+/// The folder that a film goes to: that which is asked for, or out/<preset name>, with an ending; and the
+/// file that something else goes to, which is else <preset name><ending>.
+std::filesystem::path out_folder(const std::string& asked, const PresetArguments& preset,
+                                 std::string_view ending = "");
+std::string out_file(const std::string& asked, const PresetArguments& preset, std::string_view ending);
+
 /// Reads the preset that the command line names, with its overrides.
 Result<Preset> load_preset(const PresetArguments& arguments);
 

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "cli/commands.h"
 #include "cli/heartbeat.h"
 #include "cli/inputs.h"
@@ -63,44 +61,32 @@ Result<Raster> composed_views(const Preset& preset, int frame) {
 
 }  // namespace
 
-int look(const LookArguments& arguments) {
+void look(const LookArguments& arguments) {
   Heartbeat heartbeat;
-  Result<Preset> preset = load_preset(arguments.preset);
-  if (!preset) return fail(preset.errors(), kWrongInput);
-  const Film& film = preset->film;
-  Result<int> asked = read_frame(arguments.frame, film.frames);
-  if (!asked) return fail(asked.errors(), kWrongInput);
-  int frame = *asked;
-  std::string out = arguments.out.empty() ? std::filesystem::path(arguments.preset.path).stem().string() +
-                                                (arguments.views ? "_views.png" : "_look.png")
-                                          : arguments.out;
+  Preset preset = or_fail(load_preset(arguments.preset), kWrongInput);
+  const Film& film = preset.film;
+  int frame = or_fail(read_frame(arguments.frame, film.frames), kWrongInput);
+  std::string out = out_file(arguments.out, arguments.preset, arguments.views ? "_views.png" : "_look.png");
   if (!out.ends_with(".png"))
-    return fail({Error{"--out", fmt::format("{} has no known extension; expected .png", out)}}, kWrongInput);
-  if (Errors errors = refuse_file(out); !errors.empty()) return fail(errors, kCouldNot);
-  tell_notes(preset->notes);
+    fail({Error{"--out", fmt::format("{} has no known extension; expected .png", out)}}, kWrongInput);
+  or_fail(refuse_file(out), kCouldNot);
+  tell_notes(preset.notes);
   auto save = [&](const Raster& picture) {
-    Result<std::string> png = png_text(picture);
-    return png ? write_file(out, *png) : Result<bool>(png.errors());
+    or_fail(write_file(out, or_fail(png_text(picture), kCouldNot)), kCouldNot);
   };
   if (arguments.views) {
-    Result<Raster> sheet = composed_views(*preset, frame);
-    if (!sheet) return fail(sheet.errors(), kWrongInput);
-    if (Result<bool> written = save(*sheet); !written) return fail(written.errors(), kCouldNot);
+    save(or_fail(composed_views(preset, frame), kWrongInput));
     put(out + "\n");
-    return kDone;
+    return;
   }
   now_doing("growing what stands in the scene");
-  Result<Scene> scene = build_scene(*preset);
-  if (!scene) return fail(scene.errors(), kWrongInput);
-  for (const std::string& note : scene->notes) tell(note);
+  Scene scene = or_fail(build_scene(preset), kWrongInput);
+  for (const std::string& note : scene.notes) tell(note);
   now_doing("drawing what the camera sees");
-  if (Result<bool> written = save(quick_look(*scene, film.time(frame))); !written)
-    return fail(written.errors(), kCouldNot);
-  Result<std::vector<GrownSize>> sizes = sizes_of(*scene, *preset, film.time(frame));
-  if (!sizes) return fail(sizes.errors(), kCouldNot);
-  for (const std::string& line : sizes_lines(*sizes)) tell(line);
+  save(quick_look(scene, film.time(frame)));
+  std::vector<GrownSize> sizes = or_fail(sizes_of(scene, preset, film.time(frame)), kCouldNot);
+  for (const std::string& line : sizes_lines(sizes)) tell(line);
   put(out + "\n");
-  return kDone;
 }
 
 }  // namespace frond

@@ -3,21 +3,17 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <memory>
 #include <new>
 #include <stdexcept>
 
-#include "cli/check.h"
 #include "cli/command_groups.h"
 #include "cli/commands.h"
-#include "cli/completion.h"
 #include "cli/inputs.h"
 #include "cli/judge.h"
 #include "cli/messages.h"
 #include "cli/named.h"
 #include "cli/rendering.h"
 #include "cli/streams.h"
-#include "cli/try.h"
 #include "cli/versions.h"
 #include "cli/words.h"
 
@@ -27,10 +23,9 @@ namespace {
 
 // Each command below owns its arguments, which live as long as its callback does.
 
-void add_generate(CLI::App& app, int& result) {
-  auto to = std::make_shared<GenerateArguments>();
-  auto* command =
-      app.add_subcommand("generate", "Writes the frames of a film, manifest.json and build.ninja");
+void add_generate(CLI::App& app) {
+  auto [command, to] =
+      add_command(app, "generate", "Writes the frames of a film, manifest.json and build.ninja", generate);
   add_preset(command, to->preset);
   add_pictures(command, to->preset);
   command->add_option("-o,--out", to->out, "Folder to write to (out/<preset name>)");
@@ -42,26 +37,23 @@ void add_generate(CLI::App& app, int& result) {
   command->add_option("--threads", to->threads, "How many threads (all)")->check(CLI::Range(0, 1024));
   command->add_flag("-q,--quiet", to->quiet, "No progress");
   command->footer("Example:\n  frond generate presets/reef.json -o out/reef --frames 1-24 --set /seed=8");
-  command->callback([&result, to] { result = generate(*to); });
 }
 
-void add_textures(CLI::App& app, int& result) {
-  auto to = std::make_shared<TextureArguments>();
-  auto* command =
-      app.add_subcommand("textures", "Writes bark and leaves of a preset's trees as PNG pictures");
+void add_textures(CLI::App& app) {
+  auto [command, to] = add_command(
+      app, "textures", "Writes bark and leaves of a preset's trees as PNG pictures", write_textures);
   add_preset(command, to->preset);
   command->get_option("preset")->required(false)->description("The preset; without it, every kind there is");
   command->add_option("-o,--out", to->out, "Folder to write to (out/textures)");
   command->add_option("--threads", to->threads, "How many threads (all)")->check(CLI::Range(0, 1024));
   command->add_flag("-q,--quiet", to->quiet, "Does not list the files");
   command->footer("Example:\n  frond textures presets/aspen.json -o out/textures");
-  command->callback([&result, to] { result = write_textures(*to); });
 }
 
-void add_resolve(CLI::App& app, int& result) {
-  auto to = std::make_shared<ResolveArguments>();
-  auto* command = app.add_subcommand(
-      "resolve", "Makes the frames of a film of raw ones, which `frond generate --resolve` has rendered");
+void add_resolve(CLI::App& app) {
+  auto [command, to] = add_command(
+      app, "resolve", "Makes the frames of a film of raw ones, which `frond generate --resolve` has rendered",
+      resolve);
   add_preset(command, to->preset);
   add_pictures(command, to->preset);
   command->add_option("--film", to->folder,
@@ -86,13 +78,12 @@ void add_resolve(CLI::App& app, int& result) {
       ->check(CLI::Range(0.0, 100.0));
   command->add_flag("-q,--quiet", to->quiet, "No words where all goes well");
   command->footer("Example:\n  frond resolve presets/reef.json --film out/reef --frames 1-24");
-  command->callback([&result, to] { result = resolve(*to); });
 }
 
-void add_passes(CLI::App& app, int& result) {
-  auto to = std::make_shared<PassesArguments>();
-  auto* command = app.add_subcommand(
-      "passes", "Depth, normals, places, motion, sunlight and masks of all that stands there, as OpenEXR");
+void add_passes(CLI::App& app) {
+  auto [command, to] = add_command(
+      app, "passes",
+      "Depth, normals, places, motion, sunlight and masks of all that stands there, as OpenEXR", passes);
   add_preset(command, to->preset);
   add_size(command, to->preset);
   command->add_option("-o,--out", to->out, "Folder to write to (out/<preset name>/passes)");
@@ -104,13 +95,12 @@ void add_passes(CLI::App& app, int& result) {
   command->add_flag("--views", to->views,
                     "Also PNG pictures to look at: depth, normal, sun, parts, motion, albedo");
   command->footer("Example:\n  frond passes presets/reef.json --frames 1-24 -o passes");
-  command->callback([&result, to] { result = passes(*to); });
 }
 
-void add_look(CLI::App& app, int& result) {
-  auto to = std::make_shared<LookArguments>();
-  auto* command = app.add_subcommand(
-      "look", "Draws at once, without a renderer, what the camera sees, and says how large all has grown");
+void add_look(CLI::App& app) {
+  auto [command, to] = add_command(
+      app, "look",
+      "Draws at once, without a renderer, what the camera sees, and says how large all has grown", look);
   add_preset(command, to->preset);
   add_size(command, to->preset);
   command->add_option("-o,--out", to->out, "FILE.png (<preset name>_look.png, of views _views.png)");
@@ -119,14 +109,13 @@ void add_look(CLI::App& app, int& result) {
                     "A sheet of six composed views instead, and the property that chooses each");
   command->footer(
       "Example:\n  frond look presets/garden/palm.json -o palm.png --set '/scene/camera/fit=[\"all\"]'");
-  command->callback([&result, to] { result = look(*to); });
 }
 
-void add_develop(CLI::App& app, int& result) {
-  auto to = std::make_shared<DevelopArguments>();
-  auto* command = app.add_subcommand(
-      "develop",
-      "Gives a picture of 16 bits a channel, or the mean light of several, the tone that its scene names");
+void add_develop(CLI::App& app) {
+  auto [command, to] = add_command(
+      app, "develop",
+      "Gives a picture of 16 bits a channel, or the mean light of several, the tone that its scene names",
+      develop_picture);
   command->add_option("pictures", to->pictures, "The PNG files that POV-Ray wrote, with +FN16")->required();
   command->add_option("-o,--out", to->out, "FILE.png")->required();
   command->add_option("--highlights", to->tone.highlights, "Stops above white that keep their shape (0)")
@@ -141,13 +130,12 @@ void add_develop(CLI::App& app, int& result) {
       ->check(CLI::Range(0.0, 1.0));
   command->add_option("--depth", to->depth, "8 or 16 bits a channel (8)")->check(CLI::IsMember({8, 16}));
   command->footer("Example:\n  frond develop frame_0001.png -o birch.png --highlights 2 --contrast 1.1");
-  command->callback([&result, to] { result = develop_picture(*to); });
 }
 
-void add_export(CLI::App& app, int& result) {
-  auto to = std::make_shared<ExportArguments>();
-  auto* command = app.add_subcommand(
-      "export", "Writes what grows, at one frame, for other programs or your own POV-Ray scene");
+void add_export(CLI::App& app) {
+  auto [command, to] = add_command(
+      app, "export", "Writes what grows, at one frame, for other programs or your own POV-Ray scene",
+      export_scene);
   add_preset(command, to->preset);
   command->add_option("--frame", to->frame, "Which frame (the last)")->check(CLI::Range(1, 1'000'000));
   command->add_option("--frames", to->frames,
@@ -177,13 +165,11 @@ void add_export(CLI::App& app, int& result) {
   command->footer(
       "Examples:\n  frond export presets/reef.json --frame 48 -o reef.glb\n"
       "  frond export presets/trees/oak.json --seeds 3 -o oak.inc");
-  command->callback([&result, to] { result = export_scene(*to); });
 }
 
-void add_info(CLI::App& app, int& result) {
-  auto to = std::make_shared<InfoArguments>();
-  auto* command =
-      app.add_subcommand("info", "Estimates how large a preset's scene or a grammar's word will be");
+void add_info(CLI::App& app) {
+  auto [command, to] =
+      add_command(app, "info", "Estimates how large a preset's scene or a grammar's word will be", info);
   add_preset(command, to->preset);
   add_size(command, to->preset);
   command->add_option("--frames", to->frames, "A-B: of a film only these frames");
@@ -195,91 +181,76 @@ void add_info(CLI::App& app, int& result) {
   command->footer(
       "Examples:\n  frond info presets/reef.json --json\n  frond info presets/trees/oak.json --sizes\n"
       "  frond info presets/garden/grammar_palm.json --sizes --frame 60");
-  command->callback([&result, to] { result = info(*to); });
 }
 
-void add_files(CLI::App& app, int& result) {
-  auto preset = std::make_shared<PresetArguments>();
-  auto* command =
-      app.add_subcommand("files", "Names all files that a preset is read from, each ended by a zero byte");
+void add_files(CLI::App& app) {
+  auto [command, preset] = add_command(
+      app, "files", "Names all files that a preset is read from, each ended by a zero byte", list_files);
   add_preset(command, *preset);
   command->footer("Example:\n  frond files presets/ivy/any_mesh.json | xargs -0 tar cf any_mesh.tar");
-  command->callback([&result, preset] { result = list_files(*preset); });
 }
 
-void add_derive(CLI::App& app, int& result) {
-  auto to = std::make_shared<GrammarArguments>();
-  auto format = std::make_shared<std::string>("text");
-  auto* command = app.add_subcommand("derive", "Derives the word of a grammar");
+void add_derive(CLI::App& app) {
+  auto [command, to] = add_command(app, "derive", "Derives the word of a grammar", derive_word);
   add_grammar(command, *to)->check(CLI::TypeValidator<int>());
-  command->add_option("--format", *format, "text or counts")->check(CLI::IsMember({"text", "counts"}));
+  command->add_option("--format", to->format, "text or counts")->check(CLI::IsMember({"text", "counts"}));
   command->add_option("--tree", to->picture, "SVG file: which symbol came from which");
   command->footer("Example:\n  frond derive koch.json --steps 2 --tree koch.svg");
-  command->callback([&result, to, format] {
-    to->counts = *format == "counts";
-    result = derive_word(*to);
-  });
 }
 
-void add_turtle(CLI::App& app, int& result) {
-  auto to = std::make_shared<GrammarArguments>();
-  auto* command = app.add_subcommand("turtle", "Walks a grammar's word and measures the way, as JSON");
+void add_turtle(CLI::App& app) {
+  auto [command, to] =
+      add_command(app, "turtle", "Walks a grammar's word and measures the way, as JSON", walk_turtle);
   add_grammar(command, *to);
   command->add_option("--svg", to->picture, "SVG file: what the turtle draws, seen from the front");
   command->footer(
       "A number of steps that is not whole gives the shape on its way from one to the next.\n"
       "Example:\n  frond turtle koch.json --steps 2.5 --svg koch.svg");
-  command->callback([&result, to] { result = walk_turtle(*to); });
 }
 
-void add_plan(CLI::App& app, int& result) {
-  auto to = std::make_shared<PlanArguments>();
-  auto* command = app.add_subcommand("plan", "Draws the plan of a preset that has one, as SVG");
+void add_plan(CLI::App& app) {
+  auto [command, to] =
+      add_command(app, "plan", "Draws the plan of a preset that has one, as SVG", draw_plans);
   add_preset(command, to->preset);
   command->add_option("-o,--out", to->out, "FILE.svg (<preset name>_plan.svg)");
   command->add_option("--seeds", to->seeds, "N: the plans of that many seeds, from the preset's on (1)")
       ->check(CLI::Range(1, 100));
   command->footer("Example:\n  frond plan presets/garden/walled.json --seeds 4 -o plans.svg");
-  command->callback([&result, to] { result = draw_plans(*to); });
 }
 
-void add_stand(CLI::App& app, int& result) {
-  auto to = std::make_shared<StandArguments>();
-  auto* command =
-      app.add_subcommand("stand", "Simulates the stand of a preset that has one, and plots it as SVG or CSV");
+void add_stand(CLI::App& app) {
+  auto [command, to] = add_command(
+      app, "stand", "Simulates the stand of a preset that has one, and plots it as SVG or CSV", draw_stand);
   add_preset(command, to->preset);
   command->add_option("-o,--out", to->out, "FILE.svg or FILE.csv (<preset name>_stand.svg)");
   command->add_option("--year", to->year, "N: the year of the map and the distributions (the last)")
       ->check(CLI::NonNegativeNumber);
   command->footer("Example:\n  frond stand presets/forest/clearing.json --year 120 -o stand.svg");
-  command->callback([&result, to] { result = draw_stand(*to); });
 }
 
-void add_catalogue(CLI::App& app, int& result) {
-  auto* schema_command = app.add_subcommand("schema", "Prints the JSON Schema of presets");
-  schema_command->callback([&result] { result = print_schema(); });
-  auto json = std::make_shared<bool>(false);
-  auto* list_command =
-      app.add_subcommand("list", "Lists growers, settings, presets, species and turtle symbols");
-  list_command->add_flag("--json", *json, "For machines");
-  list_command->callback([&result, json] { result = list_everything(*json); });
-}
-
-void add_describe(CLI::App& app, int& result) {
-  auto words = std::make_shared<std::vector<std::string>>();
-  auto json = std::make_shared<bool>(false);
-  auto* command =
-      app.add_subcommand("describe", "Says what a property of presets does, by its name or by a word");
-  command->add_option("what", *words,
-                      "A kind, a setting, a property as in tree/habit, or words; none: what there is");
+void add_catalogue(CLI::App& app) {
+  app.add_subcommand("schema", "Prints the JSON Schema of presets")->callback(print_schema);
+  auto [command, json] = add_command(
+      app, "list", "Lists growers, settings, presets, species and turtle symbols", list_everything);
   command->add_flag("--json", *json, "For machines");
-  command->footer("Examples:\n  frond describe tree/habit\n  frond describe leaf size");
-  command->callback([&result, words, json] { result = describe_properties(*words, *json); });
 }
 
-void add_new(CLI::App& app, int& result) {
-  auto to = std::make_shared<NewArguments>();
-  auto* command = app.add_subcommand("new", "Writes a commented preset to begin with");
+void add_describe(CLI::App& app) {
+  auto [command, to] = add_command(
+      app, "describe", "Says what a property of presets does, by its name or by a word", describe_properties);
+  command->add_option("what", to->words,
+                      "A kind, a setting, a property as in tree/habit, or words; none: what there is");
+  command->add_flag("--json", to->json, "For machines");
+  command->footer("Examples:\n  frond describe tree/habit\n  frond describe leaf size");
+}
+
+void add_new(CLI::App& app) {
+  auto [command, to] = add_command(
+      app, "new", "Writes a commented preset to begin with", +[](const NewArguments& given) {
+        if (given.from.empty() && given.with.empty()) throw CLI::RequiredError("--from or --with");
+        new_preset(given);
+      });
+  to->program = app.get_name();
   command->add_option("name", to->name, "The file to write; .json is added where it is missing")->required();
   command->add_option("--from", to->from, "A kind, as tree, or a preset, as presets/trees/oak.json or oak")
       ->excludes(command
@@ -290,16 +261,11 @@ void add_new(CLI::App& app, int& result) {
   command->footer(
       "Examples:\n  frond new my_tree --from tree\n  frond new my_reef --from presets/reef.json\n"
       "  frond new my_garden --with rose,lavender,apple");
-  command->callback([&app, &result, to] {
-    if (to->from.empty() && to->with.empty()) throw CLI::RequiredError("--from or --with");
-    to->program = app.get_name();
-    result = new_preset(*to);
-  });
 }
 
-void add_import(CLI::App& app, int& result) {
-  auto to = std::make_shared<ImportArguments>();
-  auto* command = app.add_subcommand("import", "Writes a preset of another program's grammar, which renders");
+void add_import(CLI::App& app) {
+  auto [command, to] =
+      add_command(app, "import", "Writes a preset of another program's grammar, which renders", import_model);
   command
       ->add_option("grammar", to->path,
                    "A model of cpfg (.l), a grammar of LParser (.ls), Houdini (.txt) or Fractint, or a "
@@ -311,15 +277,13 @@ void add_import(CLI::App& app, int& result) {
   command->add_option("--seed", to->seed, "For random choices, instead of the grammar's");
   add_mutations(command, to->mutations);
   add_system(command, to->system);
-  command->add_flag_callback(
-      "--z-up", [to] { to->z_up = true; }, "Of a skeleton: its z is up, not its y");
+  command->add_flag("--z-up", to->z_up, "Of a skeleton: its z is up, not its y");
   command->footer("Example:\n  frond import plants/rose.l -o rose.json");
-  command->callback([&result, to] { result = import_model(*to); });
 }
 
-void add_studio(CLI::App& app, int& result) {
-  auto to = std::make_shared<StudioArguments>();
-  auto* command = app.add_subcommand("studio", "Serves a page in the browser: sliders, a live view, stills");
+void add_studio(CLI::App& app) {
+  auto [command, to] =
+      add_command(app, "studio", "Serves a page in the browser: sliders, a live view, stills", studio);
   command->add_option("preset", to->preset, "The preset to open, a JSON file or a name; none: the gallery")
       ->transform(named_by(&preset_named));
   command->add_option("--port", to->port, "Of the address (8417, or any that is free)")
@@ -331,31 +295,30 @@ void add_studio(CLI::App& app, int& result) {
       ->check(CLI::Range(16, 1 << 20));
   add_assets(command, to->assets);
   command->footer("Example:\n  frond studio presets/reef.json --open");
-  command->callback([&result, to] { result = studio(*to); });
 }
 
 int run(int count, char** words) {
-  CLI::App app{"Grows plants and corals from JSON presets and writes scenes that POV-Ray films."};
+  std::vector<std::string> list = words_of(count, words);
+  CLI::App app{"Grows plants and corals from JSON presets and writes scenes that POV-Ray films.",
+               list.empty() ? "frond" : list[0]};
   app.require_subcommand(0, 1);
   app.set_version_flag("--version", versions, "The versions of Frond, of its libraries and of POV-Ray");
   app.footer(
       "FROND_HOME is the folder that holds templates/, povinc/ and presets/, where that is not the one that "
       "the "
       "program was built in or is installed with.");
-  int result = kDone;
   for (auto add : {add_new,    add_describe, add_catalogue, add_check,   add_import,  add_studio,  add_try,
                    add_look,   add_info,     add_draw,      add_plan,    add_stand,   add_derive,  add_turtle,
                    add_render, add_sheet,    add_generate,  add_resolve, add_film,    add_compare, add_export,
                    add_passes, add_textures, add_farm,      add_files,   add_develop, add_confine, add_frame,
                    add_task,   add_gallery,  add_completion})
-    add(app, result);
+    add(app);
   group_commands(app);
   judge_options(app);
   if (std::string wrong = unknown_command(app, count > 1 ? words[1] : ""); !wrong.empty()) {
     tell(wrong);
     return kWrongInput;
   }
-  std::vector<std::string> list = words_of(count, words);
   if (count < 2) {
     put(first_words(count > 0 ? words[0] : "frond"));
     return kDone;
@@ -370,8 +333,10 @@ int run(int count, char** words) {
     tell(wrong.empty() ? error.what() : wrong);
     tell("Run with --help for more information.");
     return kWrongInput;
+  } catch (const CommandEnd& end) {
+    return end.code;
   }
-  return result;
+  return kDone;
 }
 
 }  // namespace
@@ -391,6 +356,6 @@ int main(int count, char** words) {
   }
   Errors lost = close_out();
   if (lost.empty()) return result;
-  fail(lost, kCouldNot);
+  tell_errors(lost);
   return result == kDone ? kCouldNot : result;
 }

@@ -1,4 +1,4 @@
-#include "cli/completion.h"
+#include "cli/rendering.h"
 #include "core/version.h"
 
 // frond(1) from what the program says of itself.

@@ -31,7 +31,9 @@ void tell(std::string_view line) { put_words(printable(line) + "\n"); }
 
 void tell_notes(const Errors& notes) { print(notes, "note: "); }
 
-int fail_run(const Errors& errors, ExitCode code) {
+void tell_errors(const Errors& errors) { print(errors, ""); }
+
+void tell_failure(const Errors& errors) {
   // A colour is for a terminal, and only where nobody asked for none.
   const char *none = std::getenv("NO_COLOR"), *term = std::getenv("TERM");
   bool color = ::isatty(2) && !(none && *none) && term && std::string_view(term) != "dumb";
@@ -44,12 +46,24 @@ int fail_run(const Errors& errors, ExitCode code) {
       from = to + 1;
     }
   }
-  return code;
 }
 
-int fail(const Errors& errors, ExitCode code) {
-  print(errors, "");
-  return code;
+void fail(const Errors& errors, ExitCode code) {
+  tell_errors(errors);
+  throw CommandEnd{code};
+}
+
+void fail_run(const Errors& errors, ExitCode code) {
+  tell_failure(errors);
+  throw CommandEnd{code};
+}
+
+void or_fail(const Errors& errors, ExitCode code) {
+  if (!errors.empty()) fail(errors, code);
+}
+
+void or_fail_run(const Errors& errors, ExitCode code) {
+  if (!errors.empty()) fail_run(errors, code);
 }
 
 int fail_for_memory() {

@@ -188,45 +188,41 @@ Result<Value> read_beginning(const fs::path& file, const std::string& kind) {
 
 }  // namespace
 
-int new_preset(const NewArguments& arguments) {
-  Result<fs::path> root = home();
-  if (!root) return fail(root.errors(), kCouldNot);
+void new_preset(const NewArguments& arguments) {
+  fs::path root = or_fail(home(), kCouldNot);
   fs::path path = arguments.name.ends_with(".json") ? arguments.name : arguments.name + ".json";
   std::error_code error;
   if (fs::exists(path, error))
-    return fail({Error{path.string(), "is there already; expected a name that is free"}}, kWrongInput);
+    fail({Error{path.string(), "is there already; expected a name that is free"}}, kWrongInput);
   bool bed = !arguments.with.empty();
-  Result<fs::path> from = bed ? fs::path() : find_beginning(arguments.from, *root);
-  if (!from) return fail(from.errors(), kWrongInput);
-  Result<Value> read = bed ? flower_bed(arguments.with) : read_beginning(*from, arguments.from);
-  if (!read) return fail(read.errors(), kWrongInput);
+  fs::path from = or_fail(bed ? fs::path() : find_beginning(arguments.from, root), kWrongInput);
+  Value read = or_fail(bed ? flower_bed(arguments.with) : read_beginning(from, arguments.from), kWrongInput);
 
   fs::path folder = fs::absolute(path, error).parent_path();
-  move_files(*read, fs::absolute(*from, error).parent_path(), folder, *root);
+  move_files(read, fs::absolute(from, error).parent_path(), folder, root);
   Value preset = make_object();
   preset.set("$schema",
-             make_text(fs::proximate(*root / "docs" / "preset.schema.json", folder, error).generic_string()));
+             make_text(fs::proximate(root / "docs" / "preset.schema.json", folder, error).generic_string()));
   preset.set("title", make_text(path.stem().string()));
   // What begins as a preset that is there grows as that does; what begins as a kind, by the rules of today.
   if (bed || begins_as_kind(arguments.from)) preset.set("version", make_number(kPresetVersion));
   preset.set("seed", make_number(1));
-  for (Member& member : read->members)
+  for (Member& member : read.members)
     if (member.name != "$schema" && member.name != "title") preset.set(member.name, std::move(member.value));
 
   std::string text = Commented(topics_of(preset_schema())).text(preset);
-  if (Result<bool> written = write_file(path, text); !written) return fail(written.errors(), kCouldNot);
+  or_fail(write_file(path, text), kCouldNot);
   put(path.string() + "\n");
   const Value* organisms = preset.find("organisms");
   const Value* kind =
       organisms && !organisms->items.empty() ? organisms->items.front().find("kind") : nullptr;
-  if (arguments.quiet) return kDone;
+  if (arguments.quiet) return;
   tell("Next:");
   if (std::string render = render_command(); !render.empty())
     tell(fmt::format("  {} {}        a picture or a film of it, below out/", render, path.string()));
   tell(fmt::format("  {} studio {} --open      sliders and a live view", arguments.program, path.string()));
   if (kind)
     tell(fmt::format("  {} describe {}        what each property does", arguments.program, kind->text));
-  return kDone;
 }
 
 }  // namespace frond

@@ -23,45 +23,35 @@ namespace frond {
 
 namespace fs = std::filesystem;
 
-int passes(const PassesArguments& arguments) {
+void passes(const PassesArguments& arguments) {
   limit_threads(arguments.threads);
-  Result<Preset> preset = load_preset(arguments.preset);
-  if (!preset) return fail(preset.errors(), kWrongInput);
+  Preset preset = or_fail(load_preset(arguments.preset), kWrongInput);
   std::string povray = environment_or("FROND_POVRAY", "povray");
   if (arguments.albedo && !find_program(povray))
-    return fail({{"--albedo", povray + ": no such program; it is what draws the colours"}}, kCouldNot);
+    fail({{"--albedo", povray + ": no such program; it is what draws the colours"}}, kCouldNot);
   TracedRun run;
-  if (int code = run.begin(*preset, arguments, "passes"); code != kDone) return code;
+  run.begin(preset,
+            arguments.out.empty() ? out_folder("", arguments.preset) / "passes" : fs::path(arguments.out),
+            arguments.frames);
   std::optional<Albedo> albedo;
-  if (arguments.albedo) {
-    Result<Albedo> made = Albedo::of(*run.scene, run.models.path() / "frames");
-    if (!made) return fail(made.errors(), kCouldNot);
-    albedo.emplace(std::move(*made));
-  }
+  if (arguments.albedo)
+    albedo.emplace(or_fail(Albedo::of(*run.scene, run.models.path() / "frames"), kCouldNot));
   const Camera& camera = run.scene->setup.camera;
   float middle = std::max(glm::distance(camera.location.at(0), camera.look_at.at(0)), 1e-3f);
   now_doing("tracing frames");
   for (int frame = run.range.first; frame <= run.range.last; ++frame) {
-    Result<FramePasses> made = frame_passes(*run.scene, *run.film, frame, arguments.side);
-    if (!made) return fail(made.errors(), kCouldNot);
-    if (Errors errors = albedo ? albedo->add_to(*made, frame) : Errors{}; !errors.empty())
-      return fail(errors, kCouldNot);
-    Result<std::string> picture = pass_picture(*run.scene, *made);
-    if (!picture) return fail(picture.errors(), kCouldNot);
+    FramePasses made = or_fail(frame_passes(*run.scene, *run.film, frame, arguments.side), kCouldNot);
+    or_fail(albedo ? albedo->add_to(made, frame) : Errors{}, kCouldNot);
+    std::string picture = or_fail(pass_picture(*run.scene, made), kCouldNot);
     fs::path file = run.out / (frame_name(frame) + ".exr");
-    Result<bool> written = write_file(file, *picture);
-    if (!written) return fail(written.errors(), kCouldNot);
+    or_fail(write_file(file, picture), kCouldNot);
     put(file.string() + "\n");
     if (!arguments.views) continue;
-    for (const PassView& view : pass_views(*made, middle)) {
-      Result<std::string> png = png_text(view.picture);
-      if (!png) return fail(png.errors(), kCouldNot);
-      if (written = write_file(run.out / fmt::format("{}_{}.png", frame_name(frame), view.name), *png);
-          !written)
-        return fail(written.errors(), kCouldNot);
+    for (const PassView& view : pass_views(made, middle)) {
+      std::string png = or_fail(png_text(view.picture), kCouldNot);
+      or_fail(write_file(run.out / fmt::format("{}_{}.png", frame_name(frame), view.name), png), kCouldNot);
     }
   }
-  return kDone;
 }
 
 }  // namespace frond

@@ -1,7 +1,3 @@
-#include <fmt/format.h>
-
-#include <filesystem>
-
 #include "cli/commands.h"
 #include "cli/inputs.h"
 #include "cli/messages.h"
@@ -12,25 +8,17 @@
 
 namespace frond {
 
-int draw_plans(const PlanArguments& arguments) {
-  Result<Preset> preset = load_preset(arguments.preset);
-  if (!preset) return fail(preset.errors(), kWrongInput);
-  if (!preset->plan) return fail({Error{arguments.preset.path, "the preset has no plan"}}, kWrongInput);
-  tell_notes(preset->notes);
-  std::string out = arguments.out.empty()
-                        ? std::filesystem::path(arguments.preset.path).stem().string() + "_plan.svg"
-                        : arguments.out;
+void draw_plans(const PlanArguments& arguments) {
+  Preset preset = or_fail(load_preset(arguments.preset), kWrongInput);
+  if (!preset.plan) fail({Error{arguments.preset.path, "the preset has no plan"}}, kWrongInput);
+  tell_notes(preset.notes);
+  std::string out = out_file(arguments.out, arguments.preset, "_plan.svg");
   std::vector<GroundPlan> plans;
-  PlanText text = *preset->plan;
-  for (int i = 0; i < arguments.seeds; ++i, ++text.grammar.seed) {
-    Result<GroundPlan> plan = plan_of(text);
-    if (!plan) return fail(plan.errors(), kWrongInput);
-    plans.push_back(std::move(*plan));
-  }
-  Result<bool> written = write_file(out, plans_svg(text, plans));
-  if (!written) return fail(written.errors(), kCouldNot);
+  PlanText text = *preset.plan;
+  for (int i = 0; i < arguments.seeds; ++i, ++text.grammar.seed)
+    plans.push_back(or_fail(plan_of(text), kWrongInput));
+  or_fail(write_file(out, plans_svg(text, plans)), kCouldNot);
   put(out + "\n");
-  return kDone;
 }
 
 }  // namespace frond

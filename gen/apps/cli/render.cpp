@@ -31,12 +31,11 @@ namespace fs = std::filesystem;
 namespace {
 
 /// The presets that there are, a line each, with their titles.
-int list_presets() {
-  Result<fs::path> root = home();
-  if (!root) return fail_run(root.errors(), kCouldNot);
+void list_presets() {
+  fs::path root = or_fail_run(home(), kCouldNot);
   put("Usage: frond render PRESET [options], see frond render --help\n\n");
-  for (const fs::path& file : files_below(*root / "presets")) {
-    fs::path name = file.lexically_relative(*root);
+  for (const fs::path& file : files_below(root / "presets")) {
+    fs::path name = file.lexically_relative(root);
     if (file.extension() != ".json" || name.string().starts_with("presets/grammars/")) continue;
     Result<std::string> text = read_file(file);
     Result<Document> document = text ? parse_json(*text, file.string()) : text.errors();
@@ -44,7 +43,6 @@ int list_presets() {
     put(fmt::format("{:<42} {}\n", name.string(), title ? title->text : ""));
   }
   put("\nA preset of your own to begin with: frond new my_tree --from tree\n");
-  return kDone;
 }
 
 /// What is wrong with the words of a call; empty where nothing is.
@@ -67,52 +65,48 @@ std::vector<std::string> generate_words(const RenderArguments& a, const fs::path
   return words;
 }
 
-int interrupted() {
+[[noreturn]] void interrupted() {
   say("Interrupted. What is finished is kept: the same command goes on from there.");
-  return kInterrupted;
+  throw CommandEnd{kInterrupted};
 }
 
 /// Writes the frames. In a process of its own: what it has grown is no longer in memory while frames are
 /// rendered.
-int write_scenes(const RenderArguments& a, const fs::path& out, const std::string& root, StopSignals& stop) {
+void write_scenes(const RenderArguments& a, const fs::path& out, const std::string& root, StopSignals& stop) {
   constexpr int kKilled = 128;
   say("Generating " + out.string());
   Command command;
   command.words = generate_words(a, out);
   command.environment = {"FROND_HOME=" + root};
   command.end_with = SIGTERM;
-  Result<pid_t> process = start(command);
-  if (!process) return fail_run(process.errors(), kCouldNot);
-  std::optional<int> status = stop.wait_for(*process);
+  pid_t process = or_fail_run(start(command), kCouldNot);
+  std::optional<int> status = stop.wait_for(process);
   if (!status) {
-    ::kill(*process, SIGTERM);
-    wait_for(*process);
-    return interrupted();
+    ::kill(process, SIGTERM);
+    wait_for(process);
+    interrupted();
   }
-  if (*status == kDone || *status == kCouldNot || *status == kWrongInput) return *status;
-  if (*status == kInterrupted || *status == kKilled + SIGTERM) return interrupted();
-  return fail_run({{"", fmt::format("frond ended with exit code {}", *status)}}, kCouldNot);
+  if (*status == kDone) return;
+  if (*status == kCouldNot || *status == kWrongInput) throw CommandEnd{*status};
+  if (*status == kInterrupted || *status == kKilled + SIGTERM) interrupted();
+  fail_run({{"", fmt::format("frond ended with exit code {}", *status)}}, kCouldNot);
 }
 
 /// Whether what is asked for can be made of the preset: before anything is grown. The preset is read for this
 /// alone, and is no longer in memory while frames are rendered.
-int judge(const RenderArguments& a, const fs::path& out) {
-  Result<Preset> preset = load_preset(a.preset);
-  if (!preset) return fail(preset.errors(), kWrongInput);
-  if (Errors errors = judge_render(a, preset->film); !errors.empty()) return fail_run(errors, kWrongInput);
-  if (Errors errors = refuse_folder(out); !errors.empty()) return fail_run(errors, kCouldNot);
-  if (Errors errors = a.plot ? refuse_file(*a.plot) : Errors{}; !errors.empty())
-    return fail_run(errors, kCouldNot);
-  Errors errors = RenderPrograms::usual().missing(preset->film.frames > 1 && a.why == 0);
-  return errors.empty() ? int{kDone} : fail_run(errors, kCouldNot);
+void judge(const RenderArguments& a, const fs::path& out) {
+  Preset preset = or_fail(load_preset(a.preset), kWrongInput);
+  or_fail_run(judge_render(a, preset.film), kWrongInput);
+  or_fail_run(refuse_folder(out), kCouldNot);
+  or_fail_run(a.plot ? refuse_file(*a.plot) : Errors{}, kCouldNot);
+  or_fail_run(RenderPrograms::usual().missing(preset.film.frames > 1 && a.why == 0), kCouldNot);
 }
 
-int render_into(const RenderArguments& a, const fs::path& out) {
-  Result<fs::path> root = home();
-  if (!root) return fail_run(root.errors(), kCouldNot);
+void render_into(const RenderArguments& a, const fs::path& out) {
+  fs::path root = or_fail_run(home(), kCouldNot);
   TerminalEvents events;
   RunLock lock(out, events);
-  if (!lock.errors().empty()) return fail_run(lock.errors(), kCouldNot);
+  or_fail_run(lock.errors(), kCouldNot);
   StopSignals stop;
   std::string before;
   if (a.why > 0)
@@ -121,46 +115,39 @@ int render_into(const RenderArguments& a, const fs::path& out) {
   std::error_code error;
   RenderPrograms programs = RenderPrograms::usual();
   measure_machine(programs.povray);
-  if (int code = write_scenes(a, out, fs::absolute(*root, error).string(), stop); code != kDone) return code;
-  if (a.why > 0) return tell_why(Ninja(out, programs.environment(*root), stop), out, a.why, before);
+  write_scenes(a, out, fs::absolute(root, error).string(), stop);
+  if (a.why > 0) return tell_why(Ninja(out, programs.environment(root), stop), out, a.why, before);
   RenderSettings settings{.out = out,
                           .format = a.format,
                           .jobs = a.jobs > 0 ? a.jobs : thread_count(),
                           .every = a.every,
                           .watch = a.watch,
                           .ffmpeg = programs.ffmpeg};
-  RenderedFilm made = render_written(settings, *root, a.preset.path, stop, events);
+  RenderedFilm made = render_written(settings, root, a.preset.path, stop, events);
   end_bar();
-  if (made.outcome.stopped) return interrupted();
-  if (!made.outcome.well()) return fail_run(made.outcome.errors, kCouldNot);
+  if (made.outcome.stopped) interrupted();
+  if (!made.outcome.well()) fail_run(made.outcome.errors, kCouldNot);
   if (a.plot) {
-    Result<Manifest> manifest = manifest_in(out);
-    Errors errors = manifest ? write_plot(out, *manifest, *a.plot) : manifest.errors();
-    if (!errors.empty()) return fail_run(errors, kCouldNot);
+    or_fail_run(write_plot(out, or_fail_run(manifest_in(out), kCouldNot), *a.plot), kCouldNot);
     put(fs::absolute(*a.plot, error).lexically_normal().string() + "\n");
   }
   for (const fs::path& result : made.results) put(result.string() + "\n");
-  return kDone;
 }
 
 }  // namespace
 
-int render(const RenderArguments& arguments) {
+void render(const RenderArguments& arguments) {
   if (const auto& paths = arguments.compare; !paths.empty()) {
-    if (paths.size() < 2) return fail_run({{"", "--compare: expected A B [FILE]"}}, kWrongInput);
+    if (paths.size() < 2) fail_run({{"", "--compare: expected A B [FILE]"}}, kWrongInput);
     return compare({paths[0], paths[1], paths.size() > 2 ? std::optional(paths[2]) : std::nullopt, false});
   }
   if (arguments.preset.path.empty()) return list_presets();
-  if (std::string wrong = wrong_words(arguments); !wrong.empty()) return fail_run({{"", wrong}}, kWrongInput);
-  std::error_code error;
-  const std::string& preset = arguments.preset.path;
-  if (!fs::is_regular_file(preset, error))
-    return fail_run({{"", preset + ": no such preset" + nearest_presets(preset)}}, kWrongInput);
+  if (std::string wrong = wrong_words(arguments); !wrong.empty()) fail_run({{"", wrong}}, kWrongInput);
+  refuse_missing(arguments.preset);
   if (!arguments.sweeps.empty() || arguments.seeds) return sheet(arguments);
-  fs::path out =
-      arguments.out.empty() ? fs::path("out") / fs::path(preset).stem() : fs::path(as_path(arguments.out));
-  if (int code = judge(arguments, out); code != kDone) return code;
-  return render_into(arguments, out);
+  fs::path out = out_folder(arguments.out.empty() ? "" : as_path(arguments.out), arguments.preset);
+  judge(arguments, out);
+  render_into(arguments, out);
 }
 
 }  // namespace frond

@@ -50,20 +50,19 @@ void tell_change(const std::string& before, const std::string& now) {
 
 }  // namespace
 
-int tell_why(const Ninja& ninja, const fs::path& out, int frame, const std::string& before) {
+void tell_why(const Ninja& ninja, const fs::path& out, int frame, const std::string& before) {
   std::string name = "frames/" + frame_name(frame);
   std::string told = ninja.answer({"-d", "explain", "-n", name + ".png"});
   if (told.find("unknown target") != told.npos)
-    return fail_run({{"", fmt::format("frame {} is none of this film", frame)}}, kWrongInput);
+    fail_run({{"", fmt::format("frame {} is none of this film", frame)}}, kWrongInput);
   std::string reason = reason_told(told, name);
   if (reason.empty()) {
     put(fmt::format("frame {} is up to date\n", frame));
-    return kDone;
+    return;
   }
   put(fmt::format("frame {} is rendered again: {}\n", frame, reason));
   if (Result<std::string> now = read_file(out / (name + ".pov")); now && !before.empty())
     tell_change(before, *now);
-  return kDone;
 }
 
 }  // namespace frond

@@ -30,10 +30,10 @@ void add_sweeps(CLI::App* command, RenderArguments& to) {
 
 }  // namespace
 
-void add_confine(CLI::App& app, int& result) {
-  auto to = std::make_shared<ConfineArguments>();
-  auto* command = app.add_subcommand(
-      "confine", "Runs a program that can open nothing but what is below the paths that are named");
+void add_confine(CLI::App& app) {
+  auto [command, to] = add_command(
+      app, "confine", "Runs a program that can open nothing but what is below the paths that are named",
+      run_confined);
   command->add_option("--read", to->read, "PATH: a file or a folder that it may read; may be given again")
       ->allow_extra_args(false);
   command->add_option("--write", to->write, "FOLDER: that it may write to, too; may be given again")
@@ -43,13 +43,11 @@ void add_confine(CLI::App& app, int& result) {
       "The system's own programs and libraries (/usr) can be read, too. Exit code 3: the kernel has no\n"
       "Landlock (Linux 5.13).\n\nExample:\n  frond confine --read scene --write pictures -- povray "
       "+Iscene/a.pov");
-  command->callback([&result, to] { result = run_confined(*to); });
 }
 
-void add_draw(CLI::App& app, int& result) {
-  auto to = std::make_shared<DrawArguments>();
-  auto* command =
-      app.add_subcommand("draw", "Draws what grows in ink, with outlines and hatching, without POV-Ray");
+void add_draw(CLI::App& app) {
+  auto [command, to] = add_command(
+      app, "draw", "Draws what grows in ink, with outlines and hatching, without POV-Ray", draw_ink);
   add_preset(command, to->preset);
   add_size(command, to->preset);
   add_print(command, to->preset);
@@ -65,13 +63,12 @@ void add_draw(CLI::App& app, int& result) {
       "The paper is white; with --transparent only the ink is there. --size or --print says how large it "
       "is.\n\n"
       "Example:\n  frond draw presets/garden/palm.json --print 12cm -o palm");
-  command->callback([&result, to] { result = draw_ink(*to); });
 }
 
-void add_frame(CLI::App& app, int& result) {
-  auto to = std::make_shared<FrameArguments>();
-  auto* command = app.add_subcommand(
-      "frame", "Renders one frame by POV-Ray; called by ninja in the folder of the film, with which it ends");
+void add_frame(CLI::App& app) {
+  auto [command, to] = add_command(
+      app, "frame",
+      "Renders one frame by POV-Ray; called by ninja in the folder of the film, with which it ends", frame);
   command->add_option("scene", to->scene, "SCENE.pov")->required();
   command->add_option("picture", to->picture, "PICTURE.png, to write")->required();
   command->add_option("size", to->size, "WIDTHxHEIGHT")->required();
@@ -82,13 +79,11 @@ void add_frame(CLI::App& app, int& result) {
       "FROND_THREADS is how many threads trace it (1), FROND_POVRAY names another povray, and\n"
       "FROND_UNCONFINED=1 lets it open any file that you may open.\n\n"
       "Example:\n  frond frame frames/frame_0001.pov frames/frame_0001.png 640x360 -- +A0.0 +AM1 +R3 -J");
-  command->callback([&result, to] { result = frame(*to); });
 }
 
-void add_film(CLI::App& app, int& result) {
-  auto to = std::make_shared<FilmArguments>();
-  auto* command = app.add_subcommand(
-      "film", "Makes a film of finished pictures, or with --columns a sheet of them, by ffmpeg");
+void add_film(CLI::App& app) {
+  auto [command, to] = add_command(
+      app, "film", "Makes a film of finished pictures, or with --columns a sheet of them, by ffmpeg", film);
   command->add_option("list", to->list, "A file that names PNG pictures, one a line")->required();
   command
       ->add_option("file", to->file,
@@ -108,13 +103,11 @@ void add_film(CLI::App& app, int& result) {
       "ffmpeg.\n\n"
       "Examples:\n  ls out/reef/frames/*.png > list\n  frond film list reef.webm --fps 12\n"
       "  frond film list sheet.png --columns 6");
-  command->callback([&result, to] { result = film(*to); });
 }
 
-void add_render(CLI::App& app, int& result) {
-  auto to = std::make_shared<RenderArguments>();
-  auto* command =
-      app.add_subcommand("render", "From a preset to a film or a still: generates, renders, encodes");
+void add_render(CLI::App& app) {
+  auto [command, to] =
+      add_command(app, "render", "From a preset to a film or a still: generates, renders, encodes", render);
   add_preset(command, to->preset);
   add_pictures(command, to->preset);
   command->get_option("preset")->required(false)->description(
@@ -153,13 +146,11 @@ void add_render(CLI::App& app, int& result) {
       "  frond render presets/reef.json --size 1280x720 --quality best --set /seed=8 -o out/reef-8\n"
       "  frond render presets/trees/oak.json --scale 4\n"
       "  frond render --compare out/reef out/reef-8 both.mp4");
-  command->callback([&result, to] { result = render(*to); });
 }
 
-void add_sheet(CLI::App& app, int& result) {
-  auto to = std::make_shared<RenderArguments>();
-  auto* command =
-      app.add_subcommand("sheet", "A sheet of labelled stills of a preset, over seeds or over a value of it");
+void add_sheet(CLI::App& app) {
+  auto [command, to] = add_command(
+      app, "sheet", "A sheet of labelled stills of a preset, over seeds or over a value of it", sheet);
   add_preset(command, to->preset);
   add_pictures(command, to->preset);
   add_run(command, *to);
@@ -173,13 +164,11 @@ void add_sheet(CLI::App& app, int& result) {
       "Examples:\n  frond sheet presets/trees/oak.json --contact-seeds 9 --size 320x240 --quality draft\n"
       "  frond sheet presets/thicket.json --sweep /organisms/0/pitch=10:60:6 --sweep "
       "/organisms/0/steps=2:4:3");
-  command->callback([&result, to] { result = sheet(*to); });
 }
 
-void add_compare(CLI::App& app, int& result) {
-  auto to = std::make_shared<CompareArguments>();
-  auto* command =
-      app.add_subcommand("compare", "How much two films or two pictures differ, in figures and side by side");
+void add_compare(CLI::App& app) {
+  auto [command, to] = add_command(
+      app, "compare", "How much two films or two pictures differ, in figures and side by side", compare);
   command->add_option("a", to->a, "A picture, a film, or the folder of a run or of frames")->required();
   command->add_option("b", to->b, "Another of the same size")->required();
   command->add_option("file", to->out,
@@ -197,13 +186,11 @@ void add_compare(CLI::App& app, int& result) {
       "both have.\n\n"
       "Exit codes: 0 done, 1 could not (damaged), 2 wrong input (two sizes, a picture and a film).\n\n"
       "Examples:\n  frond compare out/reef out/reef-8 both.mp4\n  frond compare out/reef out/reef-8 --json");
-  command->callback([&result, to] { result = compare(*to); });
 }
 
-void add_task(CLI::App& app, int& result) {
-  auto to = std::make_shared<TaskArguments>();
-  auto* command =
-      app.add_subcommand("task", "Does one task of a film on a farm; called by scripts/farm_task.sh");
+void add_task(CLI::App& app) {
+  auto [command, to] = add_command(
+      app, "task", "Does one task of a film on a farm; called by scripts/farm_task.sh", farm_task);
   command->add_option("folder", to->folder, "Of the job, which frond farm has made")->required();
   command->add_option("cpus", to->cpus, "How many processors to use, 0 all")
       ->required()
@@ -216,13 +203,12 @@ void add_task(CLI::App& app, int& result) {
       "what is rendered. Without TASK it is $SLURM_ARRAY_TASK_ID. It may be run again, anywhere, at any "
       "time, also\n"
       "twice at once: what is finished is skipped.");
-  command->callback([&result, to] { result = farm_task(*to); });
 }
 
-void add_farm(CLI::App& app, int& result) {
-  auto to = std::make_shared<FarmArguments>();
-  auto* command = app.add_subcommand(
-      "farm", "Renders a film on many machines: by Slurm, over ssh, or on a farm that reads job files");
+void add_farm(CLI::App& app) {
+  auto [command, to] = add_command(
+      app, "farm", "Renders a film on many machines: by Slurm, over ssh, or on a farm that reads job files",
+      farm);
   add_preset(command, to->preset);
   add_pictures(command, to->preset);
   command->add_option("-o,--out", to->out,
@@ -254,14 +240,13 @@ void add_farm(CLI::App& app, int& result) {
       "Examples:\n  frond farm presets/reef.json --partition render --size 1920x1080 --quality good\n"
       "  frond farm presets/reef.json --hosts anna,berta,clara --frames 1-48\n"
       "  frond farm presets/reef.json --status");
-  command->callback([&result, to] { result = farm(*to); });
 }
 
-void add_gallery(CLI::App& app, int& result) {
-  auto to = std::make_shared<GalleryArguments>();
-  auto* command = app.add_subcommand(
-      "gallery",
-      "Renders the pictures of docs/gallery that have changed, in the folder of Frond, and lists them");
+void add_gallery(CLI::App& app) {
+  auto [command, to] = add_command(
+      app, "gallery",
+      "Renders the pictures of docs/gallery that have changed, in the folder of Frond, and lists them",
+      gallery);
   command->add_option("names", to->names, "Only these pictures");
   command->add_option("-o,--out", to->out, "DIR: keeps what they are made of (out/gallery)");
   command->add_flag("--large", to->large,
@@ -281,7 +266,6 @@ void add_gallery(CLI::App& app, int& result) {
       "large/NAME. What it has\n"
       "found it keeps in --out, so that nothing is written twice for the same program and preset.\n\n"
       "Examples:\n  frond gallery reef tree-oak\n  frond gallery $(frond gallery --stale)");
-  command->callback([&result, to] { result = gallery(*to); });
 }
 
 }  // namespace frond

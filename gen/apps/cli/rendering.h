@@ -1,8 +1,11 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "cli/commands.h"
@@ -28,23 +31,37 @@ void add_system(CLI::App* command, std::string& system);
 /// `--resolve` and `--no-resolve`; none where neither is given.
 void add_resolving(CLI::App* command, std::optional<bool>& resolve);
 
+/// frond(1), in the language of man pages.
+std::string manual_page(const CLI::App& app);
+
 /// Appends a preset and its options as the words of a call of this program.
 void add_words(std::vector<std::string>& words, const PresetArguments& preset);
 
 /// A path that no program takes for an option.
 std::string as_path(const std::string& path);
 
-/// The commands that draw or start other programs: each adds itself to the command line and puts its exit
-/// code into `result` when it is called.
-void add_confine(CLI::App& app, int& result);
-void add_draw(CLI::App& app, int& result);
-void add_frame(CLI::App& app, int& result);
-void add_film(CLI::App& app, int& result);
-void add_render(CLI::App& app, int& result);
-void add_sheet(CLI::App& app, int& result);
-void add_compare(CLI::App& app, int& result);
-void add_task(CLI::App& app, int& result);
-void add_farm(CLI::App& app, int& result);
-void add_gallery(CLI::App& app, int& result);
+/// Adds a command that calls `run` with its arguments; gives it and these, which live as long as it does.
+template <class Arguments>
+auto add_command(CLI::App& app, const char* name, const char* says, void (*run)(Arguments)) {
+  auto to = std::make_shared<std::remove_cvref_t<Arguments>>();
+  CLI::App* command = app.add_subcommand(name, says);
+  command->callback([run, to] { run(*to); });
+  return std::pair(command, to.get());
+}
+
+/// Each adds a command to the command line, which what it is named after does.
+void add_check(CLI::App& app);
+void add_completion(CLI::App& app);  ///< `complete`, `completion` and `man`
+void add_confine(CLI::App& app);
+void add_draw(CLI::App& app);
+void add_frame(CLI::App& app);
+void add_film(CLI::App& app);
+void add_render(CLI::App& app);
+void add_sheet(CLI::App& app);
+void add_compare(CLI::App& app);
+void add_task(CLI::App& app);
+void add_farm(CLI::App& app);
+void add_gallery(CLI::App& app);
+void add_try(CLI::App& app);
 
 }  // namespace frond

@@ -189,43 +189,36 @@ ResolveOptions options_for(const Scene& scene, const ResolveArguments& arguments
 
 }  // namespace
 
-int resolve(const ResolveArguments& arguments) {
+void resolve(const ResolveArguments& arguments) {
   limit_threads(arguments.threads);
   Heartbeat heartbeat(arguments.quiet);
-  Result<Preset> preset = load_preset(arguments.preset);
-  if (!preset) return fail(preset.errors(), kWrongInput);
-  if (Errors errors = refuse_resolving(preset->film, true); !errors.empty()) return fail(errors, kWrongInput);
-  preset->film.raw = true;
-  Result<FrameRange> range = read_frames(arguments.frames, preset->film.frames, {1, preset->film.frames});
-  if (!range) return fail(range.errors(), kWrongInput);
-  fs::path film = arguments.folder.empty() ? fs::path("out") / fs::path(arguments.preset.path).stem()
-                                           : fs::path(arguments.folder);
+  Preset preset = or_fail(load_preset(arguments.preset), kWrongInput);
+  or_fail(refuse_resolving(preset.film, true), kWrongInput);
+  preset.film.raw = true;
+  FrameRange range =
+      or_fail(read_frames(arguments.frames, preset.film.frames, {1, preset.film.frames}), kWrongInput);
+  fs::path film = out_folder(arguments.folder, arguments.preset);
   fs::path raws = film / "raw", out = arguments.out.empty() ? film / "frames" : fs::path(arguments.out);
-  if (Errors errors = missing_raws(raws, *range); !errors.empty()) return fail(errors, kCouldNot);
-  if (Errors errors = refuse_folder(out); !errors.empty()) return fail(errors, kCouldNot);
+  or_fail(missing_raws(raws, range), kCouldNot);
+  or_fail(refuse_folder(out), kCouldNot);
   now_doing("growing what stands in the scene");
-  Result<Scene> scene = build_scene(*preset);
-  if (!scene) return fail(scene.errors(), kWrongInput);
-  Result<TracedFilm> traced = traced_film(*scene, film / "frames");
-  if (!traced) return fail(traced.errors(), kCouldNot);
-  auto source = [&](int frame) { return read_raw(raws / (frame_name(frame) + ".png"), scene->film); };
-  Resolver resolver(*scene, *traced, source, options_for(*scene, arguments));
-  const Camera& camera = scene->setup.camera;
+  Scene scene = or_fail(build_scene(preset), kWrongInput);
+  TracedFilm traced = or_fail(traced_film(scene, film / "frames"), kCouldNot);
+  auto source = [&](int frame) { return read_raw(raws / (frame_name(frame) + ".png"), scene.film); };
+  Resolver resolver(scene, traced, source, options_for(scene, arguments));
+  const Camera& camera = scene.setup.camera;
   Tone tone{camera.highlights, camera.contrast, camera.saturation, camera.warmth, camera.vignette};
   auto picture = [&](int frame) -> Result<std::string> {
-    if (int band = band_of(*scene))
-      return large_still(resolver, raws / (frame_name(frame) + ".png"), scene->film, tone, band);
+    if (int band = band_of(scene))
+      return large_still(resolver, raws / (frame_name(frame) + ".png"), scene.film, tone, band);
     Result<LightPicture> light = resolver.frame(frame);
-    return light ? picture_bytes(*light, scene->film, tone) : light.errors();
+    return light ? picture_bytes(*light, scene.film, tone) : light.errors();
   };
-  for (int frame = range->first; frame <= range->last; ++frame) {
+  for (int frame = range.first; frame <= range.last; ++frame) {
     now_doing("resolving frames");
-    Result<std::string> png = picture(frame);
-    if (!png) return fail(png.errors(), kCouldNot);
-    Result<bool> written = write_file(out / (frame_name(frame) + ".png"), *png);
-    if (!written) return fail(written.errors(), kCouldNot);
+    std::string png = or_fail(picture(frame), kCouldNot);
+    or_fail(write_file(out / (frame_name(frame) + ".png"), png), kCouldNot);
   }
-  return kDone;
 }
 
 }  // namespace frond

@@ -98,36 +98,29 @@ Result<int> render_cell(const RenderArguments& a, const SheetCell& cell, int fra
 
 }  // namespace
 
-int sheet(const RenderArguments& a) {
+void sheet(const RenderArguments& a) {
+  refuse_missing(a.preset);
   std::error_code error;
-  if (!fs::is_regular_file(a.preset.path, error))
-    return fail_run({{"", a.preset.path + ": no such preset" + nearest_presets(a.preset.path)}}, kWrongInput);
-  Result<std::vector<Sweep>> sweeps = read_sweeps(a);
-  if (!sweeps) return fail_run(sweeps.errors(), kWrongInput);
-  Result<int> frame = frame_shown(a);
-  if (!frame) return fail_run(frame.errors(), kWrongInput);
-  fs::path out = a.out.empty() ? fs::path("out") / (fs::path(a.preset.path).stem().string() + "-sheet")
-                               : fs::path(a.out);
-  out = fs::absolute(out, error).lexically_normal();
+  std::vector<Sweep> sweeps = or_fail_run(read_sweeps(a), kWrongInput);
+  int frame = or_fail_run(frame_shown(a), kWrongInput);
+  fs::path out = fs::absolute(out_folder(a.out, a.preset, "-sheet"), error).lexically_normal();
   fs::path pictures = out / "pictures";
-  std::vector<SheetCell> cells = cells_of(*sweeps, pictures);
-  if (Errors errors = judge_cells(a, cells, *frame); !errors.empty()) return fail_run(errors, kWrongInput);
-  if (Errors errors = refuse_folder(out); !errors.empty()) return fail_run(errors, kCouldNot);
-  if (Errors link = refuse_link(pictures); !link.empty()) return fail_run(link, kCouldNot);
+  std::vector<SheetCell> cells = cells_of(sweeps, pictures);
+  or_fail_run(judge_cells(a, cells, frame), kWrongInput);
+  or_fail_run(refuse_folder(out), kCouldNot);
+  or_fail_run(refuse_link(pictures), kCouldNot);
   fs::create_directories(pictures, error);
-  if (error) return fail_run({{"", out.string() + ": the folder cannot be made"}}, kCouldNot);
+  if (error) fail_run({{"", out.string() + ": the folder cannot be made"}}, kCouldNot);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     say(fmt::format("Picture {} of {}: {}", i + 1, cells.size(), cells[i].text));
-    Result<int> code = render_cell(a, cells[i], *frame);
+    Result<int> code = render_cell(a, cells[i], frame);
     if (!code || *code != 0)
-      return fail_run({{"", fmt::format("picture {} of {} ({}) could not be made; those before it are kept",
-                                        i + 1, cells.size(), cells[i].text)}},
-                      code ? static_cast<ExitCode>(*code) : kCouldNot);
+      fail_run({{"", fmt::format("picture {} of {} ({}) could not be made; those before it are kept", i + 1,
+                                 cells.size(), cells[i].text)}},
+               code ? static_cast<ExitCode>(*code) : kCouldNot);
   }
-  if (Errors errors = make_sheet(cells, *frame, columns_of(*sweeps), out / "sheet.png"); !errors.empty())
-    return fail_run(errors, kCouldNot);
+  or_fail_run(make_sheet(cells, frame, columns_of(sweeps), out / "sheet.png"), kCouldNot);
   put((out / "sheet.png").string() + "\n");
-  return kDone;
 }
 
 }  // namespace frond

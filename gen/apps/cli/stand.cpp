@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "cli/commands.h"
 #include "cli/inputs.h"
 #include "cli/messages.h"
@@ -12,25 +10,20 @@
 
 namespace frond {
 
-int draw_stand(const StandArguments& arguments) {
-  Result<Preset> preset = load_preset(arguments.preset);
-  if (!preset) return fail(preset.errors(), kWrongInput);
+void draw_stand(const StandArguments& arguments) {
+  Preset preset = or_fail(load_preset(arguments.preset), kWrongInput);
   const std::string& path = arguments.preset.path;
-  if (!preset->stand) return fail({Error{path, "the preset has no stand"}}, kWrongInput);
-  if (arguments.year > preset->stand->years)
-    return fail({Error{path, fmt::format("--year {:g} is after the last year, {}", arguments.year,
-                                         preset->stand->years)}},
-                kWrongInput);
-  tell_notes(preset->notes);
-  std::string out =
-      arguments.out.empty() ? std::filesystem::path(path).stem().string() + "_stand.svg" : arguments.out;
-  StandHistory history = stand_history(*preset);
+  if (!preset.stand) fail({Error{path, "the preset has no stand"}}, kWrongInput);
+  if (arguments.year > preset.stand->years)
+    fail({Error{path,
+                fmt::format("--year {:g} is after the last year, {}", arguments.year, preset.stand->years)}},
+         kWrongInput);
+  tell_notes(preset.notes);
+  std::string out = out_file(arguments.out, arguments.preset, "_stand.svg");
+  StandHistory history = stand_history(preset);
   double year = arguments.year < 0 ? history.years : arguments.year;
-  Result<bool> written =
-      write_file(out, out.ends_with(".csv") ? stand_csv(history) : stand_svg(history, year));
-  if (!written) return fail(written.errors(), kCouldNot);
+  or_fail(write_file(out, out.ends_with(".csv") ? stand_csv(history) : stand_svg(history, year)), kCouldNot);
   put(out + "\n");
-  return kDone;
 }
 
 }  // namespace frond

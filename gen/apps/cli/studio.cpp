@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 
@@ -12,6 +11,7 @@
 #include "cli/streams.h"
 #include "core/files.h"
 #include "core/home.h"
+#include "core/work_folder.h"
 
 namespace frond {
 
@@ -24,28 +24,20 @@ namespace {
 class Doorway {
  public:
   explicit Doorway(const std::string& address) {
-    std::error_code error;
-    std::string name = (fs::temp_directory_path(error) / "frond-open-XXXXXX").string();
-    if (!mkdtemp(name.data())) return;
-    folder_ = name;
     constexpr const char* kPage =
         "<!doctype html>\n<meta charset=\"utf-8\">\n<meta name=\"referrer\" content=\"no-referrer\">\n"
         "<title>Frond</title>\n<script>location.replace(\"{0}\")</script>\n<a href=\"{0}\">Frond</a>\n";
-    if (!write_file(page(), fmt::format(kPage, address))) folder_.clear();
-    fs::permissions(page(), fs::perms::owner_read | fs::perms::owner_write, error);
-  }
-  ~Doorway() {
     std::error_code error;
-    if (!folder_.empty()) fs::remove_all(folder_, error);
+    there_ = !folder_.path().empty() && write_file(page(), fmt::format(kPage, address));
+    if (there_) fs::permissions(page(), fs::perms::owner_read | fs::perms::owner_write, error);
   }
-  Doorway(const Doorway&) = delete;
-  Doorway& operator=(const Doorway&) = delete;
 
-  bool there() const { return !folder_.empty(); }
-  fs::path page() const { return folder_ / "studio.html"; }
+  bool there() const { return there_; }
+  fs::path page() const { return folder_.path() / "studio.html"; }
 
  private:
-  fs::path folder_;
+  WorkFolder folder_;
+  bool there_ = false;
 };
 
 /// Where there is no desktop the printed address does.
@@ -56,21 +48,20 @@ void open_by(const Doorway& doorway) {
 
 }  // namespace
 
-int studio(const StudioArguments& arguments) {
-  Result<std::filesystem::path> root = home();
-  if (!root) return fail(root.errors(), kCouldNot);
-  StudioOptions options{.home = *root,
+void studio(const StudioArguments& arguments) {
+  fs::path root = or_fail(home(), kCouldNot);
+  StudioOptions options{.home = root,
                         .preset = {},
                         .port = arguments.port,
                         .memory = {},
                         .assets = {},
-                        .bake = {.home = *root, .cache = cache_folder() / "materials"},
+                        .bake = {.home = root, .cache = cache_folder() / "materials"},
                         .ready = {}};
   if (!arguments.preset.empty()) {
     // A file that is not there is told here; faults in it are the page's to show.
     std::error_code error;
     if (!std::filesystem::is_regular_file(arguments.preset, error))
-      return fail({Error{arguments.preset, "is no file" + nearest_presets(arguments.preset)}}, kWrongInput);
+      fail({Error{arguments.preset, "is no file" + nearest_presets(arguments.preset)}}, kWrongInput);
     options.preset = arguments.preset;
   }
   options.memory = arguments.memory << 20;
@@ -85,8 +76,7 @@ int studio(const StudioArguments& arguments) {
     open_by(*doorway);
   };
   now_doing("serving the studio");
-  Errors errors = serve_studio(options);
-  return errors.empty() ? kDone : fail(errors, kCouldNot);
+  or_fail(serve_studio(options), kCouldNot);
 }
 
 }  // namespace frond

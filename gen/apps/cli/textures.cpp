@@ -63,7 +63,7 @@ class Album {
 
 }  // namespace
 
-int write_textures(const TextureArguments& arguments) {
+void write_textures(const TextureArguments& arguments) {
   limit_threads(arguments.threads);
   now_doing("drawing bark and leaves");
   Album album(arguments.out.empty() ? "out/textures" : arguments.out, arguments.quiet);
@@ -86,17 +86,16 @@ int write_textures(const TextureArguments& arguments) {
       look.pixels = 512;
       album.leaves(std::string(leaf_names()[i]), look);
     }
-    return album.errors().empty() ? kDone : fail(album.errors(), kCouldNot);
+    return or_fail(album.errors(), kCouldNot);
   }
-  Result<Preset> preset = load_preset(arguments.preset);
-  if (!preset) return fail(preset.errors(), kWrongInput);
-  tell_notes(preset->notes);
+  Preset preset = or_fail(load_preset(arguments.preset), kWrongInput);
+  tell_notes(preset.notes);
   bool any = false;
-  for (std::size_t i = 0; i < preset->organisms.size(); ++i) {
-    Look look = preset->organisms[i].grower->appearance().look;
+  for (std::size_t i = 0; i < preset.organisms.size(); ++i) {
+    Look look = preset.organisms[i].grower->appearance().look;
     if (!look.leaves && !look.branches.coat) continue;
     any = true;
-    const std::string& own = preset->organisms[i].name;
+    const std::string& own = preset.organisms[i].name;
     bool fit =
         !own.empty() && own.size() <= kLongestName && own.find('/') == own.npos && printable(own) == own;
     std::string name = fit ? own : fmt::format("organism_{}", i);
@@ -104,11 +103,11 @@ int write_textures(const TextureArguments& arguments) {
     if (look.leaves) album.leaves(name, *look.leaves);
   }
   if (!any)
-    return fail({{arguments.preset.path,
-                  "has no trees with pictures; expected the kind weber_penn or colonized, or "
-                  "tree with a coat or leaves.picture"}},
-                kWrongInput);
-  return album.errors().empty() ? kDone : fail(album.errors(), kCouldNot);
+    fail({{arguments.preset.path,
+           "has no trees with pictures; expected the kind weber_penn or colonized, or "
+           "tree with a coat or leaves.picture"}},
+         kWrongInput);
+  or_fail(album.errors(), kCouldNot);
 }
 
 }  // namespace frond

@@ -7,21 +7,16 @@
 
 namespace frond {
 
-int TracedRun::begin(const Preset& preset, const std::optional<std::string>& frames) {
+void TracedRun::begin(const Preset& preset, const std::filesystem::path& to,
+                      const std::optional<std::string>& frames) {
+  out = to;
   const int last = preset.film.frames;
-  Result<FrameRange> asked = read_frames(frames, last, {last, last});
-  if (!asked) return fail(asked.errors(), kWrongInput);
-  range = *asked;
-  if (Errors errors = refuse_folder(out); !errors.empty()) return fail(errors, kCouldNot);
+  range = or_fail(read_frames(frames, last, {last, last}), kWrongInput);
+  or_fail(refuse_folder(out), kCouldNot);
   now_doing("growing what stands in the scene");
-  Result<Scene> grown = build_scene(preset);
-  if (!grown) return fail(grown.errors(), kWrongInput);
-  scene.emplace(std::move(*grown));
-  if (models.path().empty()) return fail({{"", "no folder can be made for models"}}, kCouldNot);
-  Result<TracedFilm> traced = traced_film(*scene, models.path() / "frames");
-  if (!traced) return fail(traced.errors(), kCouldNot);
-  film.emplace(std::move(*traced));
-  return kDone;
+  scene.emplace(or_fail(build_scene(preset), kWrongInput));
+  if (models.path().empty()) fail({{"", "no folder can be made for models"}}, kCouldNot);
+  film.emplace(or_fail(traced_film(*scene, models.path() / "frames"), kCouldNot));
 }
 
 }  // namespace frond

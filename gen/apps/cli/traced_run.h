@@ -20,19 +20,9 @@ struct TracedRun {
   std::optional<Scene> scene;
   std::optional<TracedFilm> film;
 
-  /// Grows the scene. `arguments` has `preset`, `frames`, the last one without, and `out`, which is
-  /// out/<preset name>/<kind> where it is empty. What is wrong is told; the exit code, kDone where all is
-  /// well.
-  template <class Arguments>
-  int begin(const Preset& preset, const Arguments& arguments, const char* kind) {
-    out = arguments.out;
-    if (out.empty())
-      out = std::filesystem::path("out") / std::filesystem::path(arguments.preset.path).stem() / kind;
-    return begin(preset, arguments.frames);
-  }
-
- private:
-  int begin(const Preset& preset, const std::optional<std::string>& frames);
+  /// Grows the scene; `to` is the folder, of frames the last one is there without. Fails where something is
+  /// wrong.
+  void begin(const Preset& preset, const std::filesystem::path& to, const std::optional<std::string>& frames);
 };
 
 }  // namespace frond

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "core/files.h"
 #include "core/frame_name.h"
+#include "core/read_as.h"
 #include "jobs/jobs.h"
 
 namespace frond {
@@ -21,8 +21,6 @@ bool is_there(const fs::path& pictures, const std::string& name) {
   std::error_code error;
   return fs::exists(pictures / (name + ".png"), error);
 }
-
-std::string band_name(int band, int bands) { return fmt::format("band_{}_of_{}", band, bands); }
 
 Result<FarmPlan> plan_bands(const fs::path& folder, const fs::path& pictures, int bands) {
   Result<bool> noted = write_file(folder / "bands", fmt::format("{}\n", bands));
@@ -56,6 +54,14 @@ FarmPlan plan_frames(const fs::path& pictures, int first, int last, const FarmLi
 }
 
 }  // namespace
+
+std::string band_name(int band, int bands) { return fmt::format("band_{}_of_{}", band, bands); }
+
+int bands_of(const fs::path& folder) {
+  Result<std::string> noted = read_file(folder / "bands");
+  std::string_view text = noted ? std::string_view(*noted) : "";
+  return consume_as<int>(text).value_or(0);
+}
 
 std::string FarmPlan::tasks_text() const {
   std::string text;
@@ -94,9 +100,7 @@ std::string farm_status(const fs::path& folder) {
     auto [first, last] = manifest->drawn();
     for (int frame = first; frame <= last; ++frame) ++all, there += is_there(pictures, frame_name(frame));
   }
-  Result<std::string> noted = read_file(folder / "bands");
-  int bands = 0;
-  if (noted) std::from_chars(noted->data(), noted->data() + noted->size(), bands);
+  int bands = bands_of(folder);
   if (bands > 0 && there == 0) {
     all = static_cast<std::size_t>(bands);
     for (int band = 1; band <= bands; ++band) there += is_there(pictures, band_name(band, bands));

@@ -35,6 +35,10 @@ struct FarmPlan {
 /// still is cut.
 Result<FarmPlan> plan_farm(const std::filesystem::path& folder, const FarmLimits& limits);
 
+/// The name of the picture of a band of a still, and into how many of them that of a job is cut; 0: none.
+std::string band_name(int band, int bands);
+int bands_of(const std::filesystem::path& folder);
+
 /// How many pictures of a job there are, in words.
 std::string farm_status(const std::filesystem::path& folder);
 
