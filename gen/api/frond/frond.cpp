@@ -51,26 +51,21 @@ T or_throw(Result<T> result, bool of_input = true) {
 /// A Listener as what a run tells, and as what stops it.
 class Ears final : public RunEvents, public Stop {
  public:
-  explicit Ears(Listener* listener) : listener_(listener) {}
+  explicit Ears(Listener* listener) : listener_(listener ? *listener : nobody_) {}
 
-  void note(std::string_view line) override {
-    if (listener_) listener_->note(line);
-  }
+  void note(std::string_view line) override { listener_.note(line); }
   void report(std::string_view line) override { note(line); }
-  void begin(std::string_view phase, std::size_t steps) override {
-    if (listener_) listener_->begin(phase, steps);
-  }
-  void step() override {
-    if (listener_) listener_->step();
-  }
+  void begin(std::string_view phase, std::size_t steps) override { listener_.begin(phase, steps); }
+  void step() override { listener_.step(); }
   void rendered(const RenderedSoFar& frames) override {
-    if (listener_) listener_->rendered(frames.done, frames.all, frames.words);
+    listener_.rendered(frames.done, frames.all, frames.words);
   }
-  bool cancelled() override { return listener_ && listener_->cancelled(); }
+  bool cancelled() override { return listener_.cancelled(); }
   bool asked() override { return cancelled(); }
 
  private:
-  Listener* listener_;
+  Listener nobody_;
+  Listener& listener_;
 };
 
 void throw_unless_well(const Outcome& outcome) {

@@ -3,16 +3,6 @@
 
 namespace frond {
 
-namespace {
-
-/// A body's shape or a leaf's: what it is called besides its surface.
-template <class T>
-py::object uv_of(const T& surface, py::handle owner) {
-  return surface.uv.empty() ? py::none() : py::object(viewed(surface.uv, owner));
-}
-
-}  // namespace
-
 void add_models(py::module_& module) {
   py::class_<Skeleton, std::shared_ptr<Skeleton>>(module, "Skeleton")
       .def("__len__", &Skeleton::size)
@@ -28,7 +18,10 @@ void add_models(py::module_& module) {
       .def_property_readonly("position", array_of(&Surface::position))
       .def_property_readonly("normal", array_of(&Surface::normal))
       .def_property_readonly("triangle", array_of(&Surface::triangle))
-      .def_property_readonly("uv", [](py::object self) { return uv_of(self.cast<const Surface&>(), self); });
+      .def_property_readonly("uv", [](py::object self) {
+        const Surface& surface = self.cast<const Surface&>();
+        return surface.uv.empty() ? py::none() : py::object(viewed(surface.uv, self));
+      });
   py::class_<Organs, std::shared_ptr<Organs>>(module, "Organs")
       .def("__len__", &Organs::size)
       .def_property_readonly("prototype", array_of(&Organs::prototype))

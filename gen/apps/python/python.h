@@ -7,7 +7,6 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <memory>
-#include <type_traits>
 #include <vector>
 
 #include "core/result.h"

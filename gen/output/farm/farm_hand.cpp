@@ -5,9 +5,8 @@
 #include <pwd.h>
 #include <unistd.h>
 
-#include <algorithm>
-
 #include "core/files.h"
+#include "core/text.h"
 #include "jobs/escape.h"
 #include "jobs/farm.h"
 #include "jobs/jobs.h"
@@ -35,10 +34,8 @@ std::vector<std::string> task_words(const Handed& film, int cpus, const std::vec
   return words;
 }
 
-std::string commas_to(const std::string& hosts, const std::string& other) {
-  std::string text;
-  for (char c : hosts) text += c == ',' ? other : std::string(1, c);
-  return text;
+std::string commas_to(const std::string& hosts, std::string_view other) {
+  return fmt::format("{}", fmt::join(split(hosts, ','), other));
 }
 
 /// The tasks, each as a line that a shell reads, ended by a zero.

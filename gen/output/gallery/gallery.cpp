@@ -7,7 +7,6 @@
 
 #include "core/content.h"
 #include "core/files.h"
-#include "core/frame_name.h"
 #include "gallery/stills.h"
 #include "jobs/jobs.h"
 #include "pipeline/frame_times.h"
@@ -324,11 +323,6 @@ class Gallery {
     return id;
   }
 
-  Result<std::string> example_id(const fs::path& scene, const fs::path& folder) const {
-    Result<ExampleScene> written = write_example(scene, folder);
-    return written ? scene_id(root_, folder, {scene}) : written.errors();
-  }
-
   Result<std::string> id_now(const std::string& name) const {
     bool large = name.starts_with(kLargePrefix);
     for (const GalleryPicture& picture : list_.pictures)
@@ -339,8 +333,9 @@ class Gallery {
       return stills ? id_now(*stills, name) : stills.errors();
     }
     fs::path folder = work_ / "scenes" / name;
-    Result<std::string> id =
-        example_id(root_ / "docs" / "examples" / (name.substr(kExamplePrefix.size()) + ".pov"), folder);
+    fs::path scene = root_ / "docs" / "examples" / (name.substr(kExamplePrefix.size()) + ".pov");
+    Result<ExampleScene> written = write_example(scene, folder);
+    Result<std::string> id = written ? scene_id(root_, folder, {scene}) : written.errors();
     std::error_code error;
     fs::remove_all(folder, error);
     return id;

@@ -16,9 +16,8 @@ namespace {
 constexpr std::string_view kLarge = "large:";
 
 std::vector<std::string> words_in(std::string_view line) {
-  std::vector<std::string> words;
-  for (std::string& word : split(line, ' '))
-    if (!word.empty()) words.push_back(std::move(word));
+  std::vector<std::string> words = split(line, ' ');
+  std::erase(words, "");
   return words;
 }
 

@@ -1,5 +1,7 @@
 #include "jobs/jobs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 
@@ -18,10 +20,6 @@ std::string scene_file(int frame) { return "frames/" + frame_name(frame) + ".pov
 std::string raw_file(int frame) { return "raw/" + frame_name(frame) + ".png"; }
 std::string picture_file(int frame) { return "frames/" + frame_name(frame) + ".png"; }
 
-std::string size_text(const std::array<int, 2>& size) {
-  return std::to_string(size[0]) + "x" + std::to_string(size[1]);
-}
-
 /// At most kSheetPictures of the frames, evenly spaced, the first and the last among them.
 std::vector<int> sheet_frames(const std::vector<int>& frames) {
   if (frames.size() <= kSheetPictures) return frames;
@@ -39,21 +37,12 @@ std::size_t sheet_columns(std::size_t pictures) {
 }
 
 void append_variable(std::string& text, std::string_view name, std::string_view value) {
-  text += name;
-  text += " = ";
-  text += ninja_value(value);
-  text += '\n';
+  text += fmt::format("{} = {}\n", name, ninja_value(value));
 }
 
 void append_rule(std::string& text, std::string_view name, std::string_view command,
                  std::string_view description) {
-  text += "\nrule ";
-  text += name;
-  text += "\n  command = ";
-  text += command;
-  text += "\n  description = ";
-  text += description;
-  text += '\n';
+  text += fmt::format("\nrule {}\n  command = {}\n  description = {}\n", name, command, description);
 }
 
 /// The command's input list goes through a file: a film may have more frames than a command line has room
@@ -66,10 +55,7 @@ void append_list_rule(std::string& text, std::string_view name, std::string_view
 
 void append_build(std::string& text, std::string_view output, std::string_view rule,
                   const std::vector<int>& frames) {
-  text += "\nbuild ";
-  text += output;
-  text += ": ";
-  text += rule;
+  text += fmt::format("\nbuild {}: {}", output, rule);
   for (int frame : frames) text += " $\n    " + picture_file(frame);
   text += '\n';
 }
@@ -137,7 +123,7 @@ std::string ninja_text(const JobList& jobs) {
       "# made again.\nninja_required_version = 1.7\n\n";
   append_variable(text, "povinc", jobs.povinc);
   append_variable(text, "frond", shell_quoted(jobs.program));
-  append_variable(text, "size", size_text(jobs.size));
+  append_variable(text, "size", fmt::format("{}x{}", jobs.size[0], jobs.size[1]));
   append_variable(text, "flags", jobs.raws.empty() ? povray_flags(jobs.quality, jobs.lens) : kRawFlags);
 
   if (!jobs.rendered) {
@@ -185,11 +171,7 @@ std::string ninja_variable(std::string_view ninja, std::string_view name) {
 std::string manifest_text(const Manifest& manifest) {
   std::string text = "{\n";
   auto line = [&](std::string_view key, std::string_view value) {
-    text += "  \"";
-    text += key;
-    text += "\": ";
-    text += value;
-    text += ",\n";
+    text += fmt::format("  \"{}\": {},\n", key, value);
   };
   line("tool", "\"frond\"");
   line("version", json_quoted(manifest.version));
@@ -198,26 +180,24 @@ std::string manifest_text(const Manifest& manifest) {
   line("preset_hash", json_quoted(manifest.preset_hash));
   line("seed", std::to_string(manifest.seed));
   line("fps", number_text(manifest.fps, 6));
-  line("size", "[" + std::to_string(manifest.size[0]) + ", " + std::to_string(manifest.size[1]) + "]");
+  line("size", fmt::format("[{}, {}]", manifest.size[0], manifest.size[1]));
   line("quality", json_quoted(manifest.quality));
   line("still", manifest.still ? "true" : "false");
   if (manifest.transparent) line("transparent", "true");
   line("render_seconds", number_text(manifest.render_seconds, 2));
-  if (manifest.raw[0] > 0)
-    line("raw", "[" + std::to_string(manifest.raw[0]) + ", " + std::to_string(manifest.raw[1]) + "]");
+  if (manifest.raw[0] > 0) line("raw", fmt::format("[{}, {}]", manifest.raw[0], manifest.raw[1]));
   std::string budgets;
   for (const Manifest::Budget& budget : manifest.budgets)
-    budgets += (budgets.empty() ? "{\"pointer\": " : ", {\"pointer\": ") + json_quoted(budget.pointer) +
-               ", \"seconds\": " + number_text(budget.seconds, 6) +
-               ", \"internodes\": " + std::to_string(budget.internodes) + "}";
+    budgets +=
+        fmt::format("{}{{\"pointer\": {}, \"seconds\": {}, \"internodes\": {}}}", budgets.empty() ? "" : ", ",
+                    json_quoted(budget.pointer), number_text(budget.seconds, 6), budget.internodes);
   if (!budgets.empty()) line("budgets", "[" + budgets + "]");
   text += "  \"frames\": [";
   std::string_view between = "\n    ";
   for (const Manifest::Frame& frame : manifest.frames) {
-    text += between;
-    text += "{\"number\": " + std::to_string(frame.number) + ", \"time\": " + number_text(frame.time, 6) +
-            ", \"nodes\": " + std::to_string(frame.nodes) +
-            ", \"file\": " + json_quoted(scene_file(frame.number)) + "}";
+    text +=
+        fmt::format("{}{{\"number\": {}, \"time\": {}, \"nodes\": {}, \"file\": {}}}", between, frame.number,
+                    number_text(frame.time, 6), frame.nodes, json_quoted(scene_file(frame.number)));
     between = ",\n    ";
   }
   text += manifest.frames.empty() ? "]\n}\n" : "\n  ]\n}\n";

@@ -1,3 +1,5 @@
+#include <type_traits>
+
 #include "core/files.h"
 #include "jobs/jobs.h"
 #include "preset/json.h"
@@ -6,23 +8,20 @@ namespace frond {
 
 namespace {
 
-/// Gives a member of an object to what reads it; false where there is none of that kind.
-template <class Read>
-bool read_member(const Value& object, std::string_view name, Value::Type type, const Read& read) {
+/// Reads a member of an object; false where there is none of that kind.
+template <class T>
+bool read_member(const Value& object, std::string_view name, T& to) {
+  constexpr bool text = std::is_same_v<T, std::string>, boolean = std::is_same_v<T, bool>;
   const Value* found = object.find(name);
-  if (!found || !found->is(type)) return false;
-  read(*found);
+  if (!found || !found->is(text ? Value::Type::text : boolean ? Value::Type::boolean : Value::Type::number))
+    return false;
+  if constexpr (text)
+    to = found->text;
+  else if constexpr (boolean)
+    to = found->boolean;
+  else
+    to = static_cast<T>(found->number);
   return true;
-}
-
-bool read_text_member(const Value& object, std::string_view name, std::string& text) {
-  return read_member(object, name, Value::Type::text, [&](const Value& value) { text = value.text; });
-}
-
-template <class Number>
-bool read_number_member(const Value& object, std::string_view name, Number& number) {
-  return read_member(object, name, Value::Type::number,
-                     [&](const Value& value) { number = static_cast<Number>(value.number); });
 }
 
 bool read_pair_member(const Value& object, std::string_view name, std::array<int, 2>& size) {
@@ -39,32 +38,29 @@ Result<Manifest> read_manifest(std::string_view text, const std::string& file_na
   if (!document) return document.errors();
   const Value& root = document->root;
   Manifest manifest;
-  bool whole =
-      read_text_member(root, "version", manifest.version) &&
-      read_text_member(root, "preset", manifest.preset) && read_text_member(root, "title", manifest.title) &&
-      read_text_member(root, "preset_hash", manifest.preset_hash) &&
-      read_number_member(root, "seed", manifest.seed) && read_number_member(root, "fps", manifest.fps) &&
-      read_pair_member(root, "size", manifest.size) &&
-      read_number_member(root, "render_seconds", manifest.render_seconds) &&
-      read_member(root, "still", Value::Type::boolean,
-                  [&](const Value& value) { manifest.still = value.boolean; });
+  bool whole = read_member(root, "version", manifest.version) &&
+               read_member(root, "preset", manifest.preset) && read_member(root, "title", manifest.title) &&
+               read_member(root, "preset_hash", manifest.preset_hash) &&
+               read_member(root, "seed", manifest.seed) && read_member(root, "fps", manifest.fps) &&
+               read_pair_member(root, "size", manifest.size) &&
+               read_member(root, "render_seconds", manifest.render_seconds) &&
+               read_member(root, "still", manifest.still);
   read_pair_member(root, "raw", manifest.raw);
-  read_member(root, "transparent", Value::Type::boolean,
-              [&](const Value& value) { manifest.transparent = value.boolean; });
+  read_member(root, "transparent", manifest.transparent);
   if (const Value* budgets = root.find("budgets"))
     for (const Value& item : budgets->items) {
       Manifest::Budget& budget = manifest.budgets.emplace_back();
-      whole = whole && read_text_member(item, "pointer", budget.pointer) &&
-              read_number_member(item, "seconds", budget.seconds) &&
-              read_number_member(item, "internodes", budget.internodes);
+      whole = whole && read_member(item, "pointer", budget.pointer) &&
+              read_member(item, "seconds", budget.seconds) &&
+              read_member(item, "internodes", budget.internodes);
     }
   const Value* frames = root.find("frames");
   if (!whole || !frames || !frames->is(Value::Type::list) || frames->items.empty())
     return Error{file_name, "is no manifest that `frond generate` has written"};
   for (const Value& item : frames->items) {
     Manifest::Frame frame;
-    if (!read_number_member(item, "number", frame.number) || !read_number_member(item, "time", frame.time) ||
-        !read_number_member(item, "nodes", frame.nodes))
+    if (!read_member(item, "number", frame.number) || !read_member(item, "time", frame.time) ||
+        !read_member(item, "nodes", frame.nodes))
       return Error{file_name, "names a frame without number, time or nodes"};
     manifest.frames.push_back(frame);
   }

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "core/content.h"
-#include "core/files.h"
 #include "core/frame_name.h"
 #include "core/read_as.h"
 #include "core/work_folder.h"
