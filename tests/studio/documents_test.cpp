@@ -64,13 +64,10 @@ TEST_F(DocumentsTest, ReadsNothingOutsideOfItsFolders) {
 
 TEST_F(DocumentsTest, NoNameEndsBeforeItsEnding) {
   Documents d = documents();
-  Json saved;
   const std::string nul(1, '\0');
   for (const std::string& file :
        {".bashrc" + nul + ".json", (folder_ / "own/b").string() + nul + "/c.json"}) {
-    auto refusal = d.save(file, doc("{}"), "", true, saved);
-    ASSERT_TRUE(refusal) << file;
-    EXPECT_EQ(refusal->status, 403);
+    EXPECT_EQ(d.save(file, doc("{}"), "", true).status, 403) << file;
   }
   EXPECT_FALSE(fs::exists(folder_ / "own/.bashrc"));
   EXPECT_FALSE(fs::exists(folder_ / "own/b"));
@@ -78,7 +75,7 @@ TEST_F(DocumentsTest, NoNameEndsBeforeItsEnding) {
   // Nor is a link a way round.
   (void)write_file(folder_ / "own/.profile", "mine");
   fs::create_symlink(folder_ / "own/.profile", folder_ / "own/link.json");
-  EXPECT_TRUE(d.save("link.json", doc("{}"), "", true, saved));
+  EXPECT_NE(d.save("link.json", doc("{}"), "", true).status, 200);
   EXPECT_EQ(*read_file(folder_ / "own/.profile"), "mine");
   // Files that presets name are read by the same rule.
   EXPECT_FALSE(read_file((folder_ / "own/a.json").string() + nul + ".png").ok());
@@ -87,29 +84,25 @@ TEST_F(DocumentsTest, NoNameEndsBeforeItsEnding) {
 
 TEST_F(DocumentsTest, SavesWhereItMayAndNotOverWhatOthersWrote) {
   Documents d = documents();
-  Json saved;
+  Answer saved;
   std::string path = (folder_ / "own/a.json").string();
-  EXPECT_FALSE(d.save(path, doc("{}"), disk(), false, saved));
+  EXPECT_EQ((saved = d.save(path, doc("{}"), disk(), false)).status, 200);
   EXPECT_EQ(*read_file(path), "{}");
-  EXPECT_EQ(saved["disk"], disk());
+  EXPECT_EQ(saved.json["disk"], disk());
   std::string known = disk();
   (void)write_file(path, "{ }");
-  auto refusal = d.save(path, doc("[]"), known, false, saved);
-  ASSERT_TRUE(refusal);
-  EXPECT_EQ(refusal->status, 409);
+  EXPECT_EQ(d.save(path, doc("[]"), known, false).status, 409);
   EXPECT_EQ(*read_file(path), "{ }");
-  EXPECT_FALSE(d.save(path, doc("[]"), known, true, saved));
+  EXPECT_EQ(d.save(path, doc("[]"), known, true).status, 200);
   EXPECT_EQ(*read_file(path), "[]");
-  EXPECT_EQ(d.save("a.json", doc("x"), "", false, saved)->status, 409);  // there already
-  EXPECT_FALSE(d.save("new.json", doc("{}"), "", false, saved));
+  EXPECT_EQ(d.save("a.json", doc("x"), "", false).status, 409);  // there already
+  EXPECT_EQ(d.save("new.json", doc("{}"), "", false).status, 200);
   EXPECT_TRUE(fs::exists(folder_ / "own/new.json"));
   for (std::string file : {"../b.json", "/etc/b.json", "b.txt", ""}) {
-    auto outside = d.save(file, doc("{}"), "", true, saved);
-    ASSERT_TRUE(outside) << file;
-    EXPECT_EQ(outside->status, 403) << file;
+    EXPECT_EQ(d.save(file, doc("{}"), "", true).status, 403) << file;
   }
   fs::create_symlink(folder_ / "secret.json", folder_ / "own/link.json");
-  EXPECT_TRUE(d.save("link.json", doc("{}"), "", true, saved));
+  EXPECT_NE(d.save("link.json", doc("{}"), "", true).status, 200);
   EXPECT_EQ(*read_file(folder_ / "secret.json"), kText);
 }
 
@@ -117,19 +110,18 @@ TEST_F(DocumentsTest, OfTwoWhoSaveOverTheSameOneIsTold) {
   // Each a studio of its own, as far as anybody can tell.
   std::string path = (folder_ / "own/a.json").string(), known = disk();
   for (int round = 0; round < 20; ++round) {
-    std::array<std::optional<Refusal>, 4> refused;
-    std::array<Json, 4> saved;
+    std::array<Answer, 4> saved;
     std::vector<std::thread> threads;
-    for (std::size_t i = 0; i < refused.size(); ++i)
+    for (std::size_t i = 0; i < saved.size(); ++i)
       threads.emplace_back([&, i] {
         std::string text = "{\"seed\": " + std::to_string(10 * round + static_cast<int>(i)) + "}";
-        refused[i] = documents().save(path, doc(text), known, false, saved[i]);
+        saved[i] = documents().save(path, doc(text), known, false);
       });
     for (std::thread& thread : threads) thread.join();
     int fine = 0;
-    for (std::size_t i = 0; i < refused.size(); ++i) {
-      if (!refused[i]) ++fine, known = saved[i]["disk"];
-      EXPECT_EQ(refused[i] ? refused[i]->status : 409, 409);
+    for (const Answer& answer : saved) {
+      if (answer.status == 200) ++fine, known = answer.json["disk"];
+      EXPECT_EQ(answer.status == 200 ? 409 : answer.status, 409);
     }
     EXPECT_EQ(fine, 1) << "the others would have written over what they had not seen";
     EXPECT_EQ(known, disk());
@@ -141,9 +133,8 @@ TEST_F(DocumentsTest, ManyMayBeSavedAtOnce) {
   std::vector<std::thread> threads;
   for (int i = 0; i < 8; ++i)
     threads.emplace_back([&, i] {
-      Json saved;
-      EXPECT_FALSE(documents().save("b.json", doc("[" + std::to_string(i) + "]"), "", true, saved));
-      EXPECT_FALSE(documents().add_file("stone.obj", ".obj", "v 0 0 " + std::to_string(i), "", saved));
+      EXPECT_EQ(documents().save("b.json", doc("[" + std::to_string(i) + "]"), "", true).status, 200);
+      EXPECT_EQ(documents().add_file("stone.obj", ".obj", "v 0 0 " + std::to_string(i), "").status, 200);
     });
   for (std::thread& thread : threads) thread.join();
   std::set<std::string> stones;
@@ -193,24 +184,24 @@ TEST_F(DocumentsTest, MostShippedPresetsHaveAPictureInTheGallery) {
 
 TEST_F(DocumentsTest, AMeshGetsAPlainNameOfItsOwn) {
   Documents d = documents();
-  Json saved;
-  EXPECT_FALSE(d.add_file("../../my rock!.obj", ".obj", "v 0 0 0", "", saved));
-  EXPECT_EQ(saved["file"], "my_rock_.obj");
+  Answer saved = d.add_file("../../my rock!.obj", ".obj", "v 0 0 0", "");
+  EXPECT_EQ(saved.status, 200);
+  EXPECT_EQ(saved.json["file"], "my_rock_.obj");
   EXPECT_TRUE(fs::exists(folder_ / "own/my_rock_.obj"));
-  EXPECT_FALSE(d.add_file("my rock!.obj", ".obj", "v 0 0 0", "", saved));  // the same once
-  EXPECT_EQ(saved["file"], "my_rock_.obj");
-  EXPECT_FALSE(d.add_file("my rock!.obj", ".obj", "v 1 0 0", "", saved));
-  EXPECT_EQ(saved["file"], "my_rock_-2.obj");
+  EXPECT_EQ((saved = d.add_file("my rock!.obj", ".obj", "v 0 0 0", "")).status, 200);  // the same once
+  EXPECT_EQ(saved.json["file"], "my_rock_.obj");
+  EXPECT_EQ((saved = d.add_file("my rock!.obj", ".obj", "v 1 0 0", "")).status, 200);
+  EXPECT_EQ(saved.json["file"], "my_rock_-2.obj");
 }
 
 TEST_F(DocumentsTest, ACopyTakesTheFilesThatItNamesAlong) {
   Documents d = documents();
   fs::path ivy = fs::weakly_canonical(fs::absolute(FROND_ROOT "/presets/ivy/any_mesh.json"));
   std::string text = *read_file(ivy);
-  Json saved;
-  ASSERT_FALSE(d.save("mine.json", {text, ivy}, "", false, saved));
+  Answer saved = d.save("mine.json", {text, ivy}, "", false);
+  ASSERT_EQ(saved.status, 200);
   std::string moved = *read_file(folder_ / "own/mine.json");
-  EXPECT_EQ(moved, saved["text"]);
+  EXPECT_EQ(moved, saved.json["text"]);
   std::string expected = text;
   expected.replace(expected.find("../models/arch.obj"), 18, "arch.obj");
   EXPECT_EQ(moved, expected);  // nothing else has changed

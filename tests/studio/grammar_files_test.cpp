@@ -89,11 +89,11 @@ TEST_F(GrammarFilesTest, NothingIsWrittenForAShippedPresetThatWouldNotFindIt) {
 TEST_F(GrammarFilesTest, ASavedPresetTakesItsModelAlong) {
   Documents d = documents();
   const fs::path shipped = lilac_.parent_path() / "lilac.json";
-  Json saved;
-  ASSERT_FALSE(d.save("mine.json", {*read_file(shipped), shipped}, "", false, saved));
-  EXPECT_NE(saved["text"].get<std::string>().find("\"lilac/lilac.l\""), std::string::npos);
+  Answer saved = d.save("mine.json", {*read_file(shipped), shipped}, "", false);
+  ASSERT_EQ(saved.status, 200);
+  EXPECT_NE(saved.json["text"].get<std::string>().find("\"lilac/lilac.l\""), std::string::npos);
   EXPECT_EQ(*read_file(folder_ / "lilac/lilac.l"), *read_file(lilac_));
-  Result<Preset> preset = d.preset({saved["text"], folder_ / "mine.json"});
+  Result<Preset> preset = d.preset({saved.json["text"], folder_ / "mine.json"});
   EXPECT_TRUE(preset.ok()) << preset.errors().front().text();
 }
 
@@ -101,14 +101,13 @@ TEST_F(GrammarFilesTest, SavingTakesAwayWhatWasMadeForThePresetAndIsNotNamed) {
   Documents d = documents();
   const fs::path own = folder_ / "a.json";
   auto add = [&](const std::string& name, const fs::path& of) {
-    Json made;
-    EXPECT_FALSE(d.add_file(name, ".png", "\x89PNG " + name, of, made));
-    return made["file"].get<std::string>();
+    Answer made = d.add_file(name, ".png", "\x89PNG " + name, of);
+    EXPECT_EQ(made.status, 200);
+    return made.json["file"].get<std::string>();
   };
   auto there = [&](const std::string& name) { return fs::exists(folder_ / name); };
   auto save = [&](const std::string& text) {
-    Json saved;
-    EXPECT_FALSE(d.save("a.json", {text, own}, d.disk(own.string()), true, saved));
+    EXPECT_EQ(d.save("a.json", {text, own}, d.disk(own.string()), true).status, 200);
   };
   std::string first = add("first.png", own), second = add("second.png", own);
   std::string others = add("others.png", folder_ / "b.json");

@@ -85,9 +85,9 @@ TEST(MeshFiles, ACopyOfAPresetTakesTheMaterialsOfItsMeshesAlong) {
   const std::string text = R"({"organisms": [{"kind": "mesh", "file": "barrel.obj"}]})";
   (void)write_file(from / "a.json", text);
   Documents documents({.home = FROND_ROOT, .preset = from / "a.json", .assets = {}, .ready = {}});
-  Json saved;
-  ASSERT_FALSE(documents.save("copies/b.json", {text, from / "a.json"}, "", false, saved));
-  EXPECT_NE(saved["text"].get<std::string>().find("barrel/barrel.obj"), std::string::npos) << saved;
+  Answer saved = documents.save("copies/b.json", {text, from / "a.json"}, "", false);
+  ASSERT_EQ(saved.status, 200);
+  EXPECT_NE(saved.json["text"].get<std::string>().find("barrel/barrel.obj"), std::string::npos) << saved.json;
   Result<PolygonMesh> mesh = read(to / "barrel/barrel.obj");
   ASSERT_TRUE(mesh);
   ASSERT_TRUE(mesh->material[0].picture);
@@ -101,12 +101,12 @@ TEST(MeshFiles, WhatWasThereBeforeItWasDroppedStaysWhenThePresetIsSavedWithoutIt
   (void)write_file(folder.path() / "a.json", "{}");
   Documents documents({.home = FROND_ROOT, .preset = folder.path() / "a.json", .assets = {}, .ready = {}});
   const std::string of = (folder.path() / "a.json").string();
-  Json saved;
-  ASSERT_FALSE(documents.add_mesh("stone.obj", stone, {}, of, saved));
-  EXPECT_EQ(saved["file"], "stone.obj");
-  ASSERT_FALSE(documents.add_mesh("barrel.obj", kObj, {{"my barrel.mtl", kMtl}}, of, saved));
-  EXPECT_EQ(saved["file"], "barrel/barrel.obj");
-  ASSERT_FALSE(documents.save(of, {"{}", of}, "", true, saved));
+  Answer saved = documents.add_mesh("stone.obj", stone, {}, of);
+  ASSERT_EQ(saved.status, 200);
+  EXPECT_EQ(saved.json["file"], "stone.obj");
+  ASSERT_EQ((saved = documents.add_mesh("barrel.obj", kObj, {{"my barrel.mtl", kMtl}}, of)).status, 200);
+  EXPECT_EQ(saved.json["file"], "barrel/barrel.obj");
+  ASSERT_EQ(documents.save(of, {"{}", of}, "", true).status, 200);
   EXPECT_TRUE(fs::exists(folder.path() / "stone.obj"));
   EXPECT_FALSE(fs::exists(folder.path() / "barrel"));
 }

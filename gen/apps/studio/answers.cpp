@@ -9,7 +9,6 @@
 #include "core/content.h"
 #include "grammar/symbols.h"
 #include "preset/keys.h"
-#include "scene/describe.h"
 
 namespace frond {
 
@@ -21,7 +20,7 @@ constexpr std::int64_t kMostEntries = 1'000'000'000;
 }  // namespace
 
 Answer wrong(const Errors& errors, const Errors& notes) {
-  return {422, {{"errors", errors_json(errors)}, {"notes", errors_json(notes)}}, {}};
+  return {422, {{"errors", errors_json(errors)}, {"notes", errors_json(notes)}}};
 }
 
 std::string key_of(const Doc& doc, const Preset& preset) {
@@ -52,7 +51,7 @@ Answer fault_answer(const std::exception_ptr& error) {
     status = 400;
   } catch (...) {
   }
-  return {status, {{"error", reason_of(error)}}, {}};
+  return refused(status, reason_of(error));
 }
 
 double number(const Json& value, const char* name, double least, double most) {

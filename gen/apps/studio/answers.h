@@ -11,13 +11,6 @@
 
 namespace frond {
 
-/// An answer to the page: JSON, or a packet.
-struct Answer {
-  int status = 200;
-  Json json;
-  std::string packet;  ///< where not empty, in place of the JSON
-};
-
 /// The answer that a preset is wrong.
 Answer wrong(const Errors& errors, const Errors& notes = {});
 

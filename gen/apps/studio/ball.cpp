@@ -1,10 +1,9 @@
-#include "studio/ball.h"
-
 #include <fmt/format.h>
 
 #include "emit/pov.h"
 #include "export/materials.h"
 #include "organisms/grower.h"
+#include "studio/scenes.h"
 
 namespace frond {
 
@@ -59,8 +58,8 @@ std::string ball_text(const Swatch& swatch, const PovSpace& space) {
              at.x, at.y, -at.z, radius, swatch.texture);
 }
 
-}  // namespace
-
+/// What an organism is made of, on a ball, as a PNG: the bark or skin of its branches, or the material of its
+/// first body, which is grown for this. An error where it has neither, or POV-Ray fails.
 Result<std::string> material_ball(const Organism& organism, const BakeOptions& options) {
   SmallScene scene;
   scene.pixels = {kBallPixels, kBallPixels};
@@ -68,6 +67,15 @@ Result<std::string> material_ball(const Organism& organism, const BakeOptions& o
   if (!swatch) return swatch.errors();
   scene.text = ball_text(*swatch, {});
   return small_picture(scene, options);
+}
+
+}  // namespace
+
+Result<std::string> Scenes::ball(const Doc& doc, std::size_t entry) const {
+  Result<Preset> preset = documents_.preset(doc);
+  if (!preset) return preset.errors();
+  if (entry >= preset->organisms.size()) return Error{"entry", "there is no such organism"};
+  return material_ball(preset->organisms[entry], bake_);
 }
 
 }  // namespace frond

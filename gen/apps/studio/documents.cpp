@@ -8,7 +8,7 @@
 #include "core/files.h"
 #include "core/read_as.h"
 #include "preset/json.h"
-#include "studio/carry.h"
+#include "scene/named_files.h"
 #include "studio/grammar_files.h"
 #include "studio/mesh_files.h"
 
@@ -81,6 +81,33 @@ std::optional<std::string> title_of(const fs::path& file) {
     return std::nullopt;  // a grammar
   const Value* title = document->root.find("title");
   return title && title->is(Value::Type::text) ? title->text : file.stem().string();
+}
+
+/// The text of a preset that moves from one folder to another, with the files that it names: they are copied
+/// beside it, under a name of their own where theirs is taken, and the text names them there. Nothing else of
+/// the text changes. Only what `readable` allows is copied.
+Result<std::string> moved_text(const std::string& text, const fs::path& from, const fs::path& to,
+                               const std::function<bool(const fs::path&)>& readable) {
+  return renamed(text, from, [&](const fs::path& file) -> Result<std::string> {
+    if (!readable(file)) return std::string();
+    auto put = [&]() -> Result<PutFiles> {
+      if (file.extension() == ".l") return put_grammar(to, file);
+      if (is_mesh_name(file)) return copy_mesh(to, file);
+      Result<std::string> content = read_file(file);
+      if (!content) return content.errors();
+      return put_beside(to, file.filename().string(), *content);
+    }();
+    if (!put) return put.errors();
+    return put->name;
+  });
+}
+
+/// A preset as the page knows it.
+Json read_json(const fs::path& file, const std::string& text) {
+  return {{"file", file.string()},
+          {"name", file.filename().string()},
+          {"text", text},
+          {"disk", content_id(text)}};
 }
 
 }  // namespace
@@ -163,11 +190,9 @@ Result<Json> Documents::read(const std::string& file) const {
   Result<std::string> text = read_file(*path);
   if (!text) return text.errors();
   bool own = path == preset_ || (lies_below(*path, folder_) && !lies_below(*path, presets_));
-  return Json{{"file", path->string()},
-              {"name", path->filename().string()},
-              {"text", *text},
-              {"disk", content_id(*text)},
-              {"copy", !own}};
+  Json json = read_json(*path, *text);
+  json["copy"] = !own;
+  return json;
 }
 
 Result<std::string> Documents::leaf(const std::string& shelf, const std::string& name) const {
@@ -201,37 +226,32 @@ std::optional<fs::path> Documents::writable(const std::string& file) const {
   return lies_below(*path, folder_) || (assets_ && lies_below(*path, *assets_)) ? path : std::nullopt;
 }
 
-std::optional<Refusal> Documents::save(const std::string& file, const Doc& doc, const std::string& disk,
-                                       bool overwrite, Json& saved) const {
+Answer Documents::save(const std::string& file, const Doc& doc, const std::string& disk,
+                       bool overwrite) const {
   const auto& [text, from] = doc;
   std::optional<fs::path> path = writable(file);
   if (!path)
-    return Refusal{
-        403,
-        {{"error", fmt::format("\"{}\" cannot be written: expected a name that ends with .json, below {}",
-                               file, folder_.string())}}};
+    return refused(
+        403, fmt::format("\"{}\" cannot be written: expected a name that ends with .json, below {}", file,
+                         folder_.string()));
   // Between the look at what is there and the writing nobody else saves, another studio neither.
   FolderLock lock(path->parent_path());
   std::error_code error;
   if (fs::exists(*path, error) && !overwrite) {
     Result<std::string> there = read_file(*path);
     std::string id = there ? content_id(*there) : "";
-    if (disk.empty()) return Refusal{409, {{"error", "exists"}, {"disk", id}}};
-    if (id != disk) return Refusal{409, {{"error", "changed on disk"}, {"disk", id}}};
+    if (disk.empty() || id != disk)
+      return {409, {{"error", disk.empty() ? "exists" : "changed on disk"}, {"disk", id}}};
   }
   Result<std::string> moved =
       from.parent_path() == path->parent_path()
           ? Result<std::string>(text)
-          : carried(text, from.parent_path(), path->parent_path(),
-                    [&](const fs::path& named) { return readable(named.string()).has_value(); });
+          : moved_text(text, from.parent_path(), path->parent_path(),
+                       [&](const fs::path& named) { return readable(named.string()).has_value(); });
   Result<bool> written = moved ? write_file(*path, *moved) : moved.errors();
-  if (!written) return Refusal{500, {{"error", written.errors().front().text()}}};
+  if (!written) return refused(500, written.errors().front().text());
   made_->saved(from, *moved);
-  saved = {{"file", path->string()},
-           {"name", path->filename().string()},
-           {"text", *moved},
-           {"disk", content_id(*moved)}};
-  return std::nullopt;
+  return {200, read_json(*path, *moved)};
 }
 
 bool Documents::reaches(const fs::path& of) const {
@@ -239,36 +259,32 @@ bool Documents::reaches(const fs::path& of) const {
   return !real || of.empty() || !lies_below(*real, presets_) || lies_below(presets_, folder_);
 }
 
-std::optional<Refusal> Documents::add_file(const std::string& name, const char* type,
-                                           const std::string& content, const std::string& of,
-                                           Json& saved) const {
-  return add(of, saved, 500,
-             [&] { return put_beside(folder_, fs::path(name).stem().string() + type, content); });
+Answer Documents::add_file(const std::string& name, const char* type, const std::string& content,
+                           const std::string& of) const {
+  return add(of, 500, [&] { return put_beside(folder_, fs::path(name).stem().string() + type, content); });
 }
 
-std::optional<Refusal> Documents::add_mesh(const std::string& name, const std::string& content,
-                                           const std::map<std::string, std::string>& beside,
-                                           const std::string& of, Json& saved) const {
-  return add(of, saved, 400, [&] { return put_mesh(folder_, name, content, beside); });
+Answer Documents::add_mesh(const std::string& name, const std::string& content,
+                           const std::map<std::string, std::string>& beside, const std::string& of) const {
+  return add(of, 400, [&] { return put_mesh(folder_, name, content, beside); });
 }
 
-std::optional<Refusal> Documents::add_grammar(const fs::path& grammar,
-                                              const std::map<std::string, std::string>& texts,
-                                              const std::string& of, Json& saved) const {
-  return add(of, saved, 500, [&] { return put_grammar(folder_, grammar, texts); });
+Answer Documents::add_grammar(const fs::path& grammar, const std::map<std::string, std::string>& texts,
+                              const std::string& of) const {
+  return add(of, 500, [&] { return put_grammar(folder_, grammar, texts); });
 }
 
-std::optional<Refusal> Documents::add(const std::string& of, Json& saved, int fault,
-                                      const std::function<Result<PutFiles>()>& put) const {
-  if (!reaches(of)) return Refusal{409, {{"error", kSaveFirst}}};
+Answer Documents::add(const std::string& of, int fault, const std::function<Result<PutFiles>()>& put) const {
+  if (!reaches(of)) return refused(409, kSaveFirst);
   FolderLock lock(folder_);
   Result<PutFiles> own = put();
-  if (!own) return Refusal{fault, {{"error", own.errors().front().text()}}};
+  if (!own) return refused(fault, own.errors().front().text());
   // Files that name each other are known by their folder.
   made_->add(own->name.substr(0, own->name.find('/')), of, own->fresh);
-  saved = {{"file", own->name}, {"path", (folder_ / own->name).string()}};
-  return std::nullopt;
+  return {200, {{"file", own->name}, {"path", (folder_ / own->name).string()}}};
 }
+
+Answer refused(int status, std::string_view why) { return {status, {{"error", why}}}; }
 
 Json errors_json(const Errors& errors) {
   Json list = Json::array();

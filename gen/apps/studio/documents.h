@@ -23,11 +23,16 @@ struct Doc {
   std::filesystem::path file;
 };
 
-/// What was not allowed, or not found.
-struct Refusal {
-  int status = 403;  ///< of HTTP
-  Json body;
+/// An answer to the page: JSON, or bytes.
+struct Answer {
+  int status = 200;  ///< of HTTP; 204: nothing is said
+  Json json = {};
+  std::string packet = {};
+  const char* type = nullptr;  ///< of the packet; none: it is the JSON that is sent
 };
+
+/// The answer that something was not allowed, or not found.
+Answer refused(int status, std::string_view why);
 
 /// The files that the page may see.
 class Documents {
@@ -59,22 +64,19 @@ class Documents {
 
   /// Writes a preset where it may, with the files that it names where it comes from another folder. `disk`
   /// stands for what the page believes to be there, empty: nothing.
-  std::optional<Refusal> save(const std::string& file, const Doc& doc, const std::string& disk,
-                              bool overwrite, Json& saved) const;
+  Answer save(const std::string& file, const Doc& doc, const std::string& disk, bool overwrite) const;
   /// Puts a picture (".png") beside the preset under a name like the one given, for the preset `of`: see
   /// studio/made_files.h.
-  std::optional<Refusal> add_file(const std::string& name, const char* type, const std::string& content,
-                                  const std::string& of, Json& saved) const;
+  Answer add_file(const std::string& name, const char* type, const std::string& content,
+                  const std::string& of) const;
   /// Puts a mesh beside the preset as add_file() does a picture, and those of the files `beside` that the
   /// mesh names, see put_mesh(); 400 where it is no mesh.
-  std::optional<Refusal> add_mesh(const std::string& name, const std::string& content,
-                                  const std::map<std::string, std::string>& beside, const std::string& of,
-                                  Json& saved) const;
+  Answer add_mesh(const std::string& name, const std::string& content,
+                  const std::map<std::string, std::string>& beside, const std::string& of) const;
   /// Puts a grammar with some texts changed beside the preset as add_file() does a picture, see
   /// put_grammar().
-  std::optional<Refusal> add_grammar(const std::filesystem::path& grammar,
-                                     const std::map<std::string, std::string>& texts, const std::string& of,
-                                     Json& saved) const;
+  Answer add_grammar(const std::filesystem::path& grammar, const std::map<std::string, std::string>& texts,
+                     const std::string& of) const;
   /// Puts back what was removed because no preset named it, if that text does.
   void restore(const std::string& text) const { made_->restore(text); }
 
@@ -83,8 +85,7 @@ class Documents {
   std::optional<std::filesystem::path> writable(const std::string& file) const;
 
   /// Puts files beside the preset `of` and notes them for it; `fault` is the answer where they cannot be put.
-  std::optional<Refusal> add(const std::string& of, Json& saved, int fault,
-                             const std::function<Result<PutFiles>()>& put) const;
+  Answer add(const std::string& of, int fault, const std::function<Result<PutFiles>()>& put) const;
   /// Whether a preset may read what lies in the folder of one's own.
   bool reaches(const std::filesystem::path& of) const;
 

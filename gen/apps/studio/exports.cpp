@@ -78,7 +78,7 @@ Answer export_size(const Documents& documents, Scenes& scenes, const Doc& doc, c
   if (!preset) return wrong(preset.errors());
   Result<std::shared_ptr<const Scene>> scene = scenes.scene(doc, std::move(*preset), [] { return false; });
   if (!scene) return wrong(scene.errors());
-  return {200, export_size(**scene, order), {}};
+  return {200, export_size(**scene, order)};
 }
 
 Result<fs::path> export_doc(const Documents& documents, const fs::path& home, const Doc& doc,

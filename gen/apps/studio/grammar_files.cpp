@@ -97,16 +97,8 @@ Errors add_word(const CpfgModel& model, const Json& question, Json& answer) {
   return {};
 }
 
-/// The readable grammar that a question names.
-std::optional<fs::path> grammar_of(const Documents& documents, const Json& question) {
-  std::optional<fs::path> file = documents.readable(question.at("file").get<std::string>());
-  std::error_code error;
-  const bool fine = file && (is_model(*file) || file->extension() == ".ls" || file->extension() == ".txt");
-  return fine && fs::is_regular_file(*file, error) ? file : std::nullopt;
-}
-
-}  // namespace
-
+/// The files that a grammar is read from, that itself first; below its folder. Where it cannot be read, those
+/// beside it that have its name.
 std::vector<fs::path> files_of_grammar(const fs::path& grammar) {
   std::vector<fs::path> files{grammar};
   if (!is_model(grammar)) return files;
@@ -129,6 +121,16 @@ std::vector<fs::path> files_of_grammar(const fs::path& grammar) {
   return files;
 }
 
+/// The readable grammar that a question names.
+std::optional<fs::path> grammar_of(const Documents& documents, const Json& question) {
+  std::optional<fs::path> file = documents.readable(question.at("file").get<std::string>());
+  std::error_code error;
+  const bool fine = file && (is_model(*file) || file->extension() == ".ls" || file->extension() == ".txt");
+  return fine && fs::is_regular_file(*file, error) ? file : std::nullopt;
+}
+
+}  // namespace
+
 Result<PutFiles> put_grammar(const fs::path& folder, const fs::path& grammar,
                              const std::map<std::string, std::string>& texts) {
   std::map<std::string, std::string> contents;
@@ -148,7 +150,7 @@ Result<PutFiles> put_grammar(const fs::path& folder, const fs::path& grammar,
 
 Answer grammar_files(const Documents& documents, const Json& question) {
   std::optional<fs::path> grammar = grammar_of(documents, question);
-  if (!grammar) return {403, {{"error", "no such grammar may be read"}}, {}};
+  if (!grammar) return refused(403, "no such grammar may be read");
   const fs::path folder = grammar->parent_path();
   Json answer{{"files", Json::array()},
               {"steps", 0},
@@ -169,19 +171,19 @@ Answer grammar_files(const Documents& documents, const Json& question) {
     errors = model ? add_word(*model, question, answer) : model.errors();
   }
   answer["errors"] = errors_json(seen_from(std::move(errors), folder));
-  return {200, std::move(answer), {}};
+  return {200, std::move(answer)};
 }
 
 Answer changed_grammar(const Documents& documents, const Json& question) {
   std::optional<fs::path> grammar = grammar_of(documents, question);
-  if (!grammar) return {403, {{"error", "no such grammar may be read"}}, {}};
+  if (!grammar) return refused(403, "no such grammar may be read");
   const std::map<std::string, std::string> texts{
       {question.at("name").get<std::string>(), question.at("text").get<std::string>()}};
   const fs::path folder = grammar->parent_path();
   const std::vector<fs::path> files = files_of_grammar(*grammar);
   if (std::ranges::none_of(files,
                            [&](const fs::path& file) { return texts.contains(name_in(file, folder)); }))
-    return {400, {{"error", "the grammar has no such file"}}, {}};
+    return refused(400, "the grammar has no such file");
   // It is tried where nobody else sees it.
   WorkFolder tried;
   for (const fs::path& file : files) {
@@ -189,14 +191,11 @@ Answer changed_grammar(const Documents& documents, const Json& question) {
     auto changed = texts.find(name);
     Result<std::string> content = changed != texts.end() ? Result(changed->second) : read_file(file);
     Result<bool> written = content ? write_file(tried.path() / name, *content) : content.errors();
-    if (!written) return {500, {{"error", written.errors().front().text()}}, {}};
+    if (!written) return refused(500, written.errors().front().text());
   }
   if (Errors errors = faults_of(tried.path() / grammar->filename()); !errors.empty())
     return wrong(seen_from(std::move(errors), tried.path()));
-  Json saved;
-  if (auto refusal = documents.add_grammar(*grammar, texts, question.value("of", ""), saved))
-    return {refusal->status, refusal->body, {}};
-  return {200, std::move(saved), {}};
+  return documents.add_grammar(*grammar, texts, question.value("of", ""));
 }
 
 }  // namespace frond

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <map>
 #include <string>
-#include <vector>
 
 #include "studio/answers.h"
 #include "studio/documents.h"
@@ -12,10 +11,6 @@
 // Grammars that stand in files of their own, which a preset names as `grammar.file`: models of cpfg, of
 // several files, and rules of LParser and Houdini.
 namespace frond {
-
-/// The files that a grammar is read from, that itself first; below its folder. Where it cannot be read, those
-/// beside it that have its name.
-std::vector<std::filesystem::path> files_of_grammar(const std::filesystem::path& grammar);
 
 /// Copies a grammar's files below a folder, some with other texts (by their paths below the grammar's
 /// folder); its new name there. A model of several files gets a folder of its own, where all keep their

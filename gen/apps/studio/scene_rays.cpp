@@ -51,14 +51,14 @@ Answer Scenes::pick(const Doc& doc, const Json& question) {
     return Result(std::shared_ptr<const PosedScene>(held, &held->second));
   });
   if (!stands) return wrong(stands.errors());
-  if (address) return {200, picked_at(**stands, entry.value_or(0), plant, **address), {}};
-  return {200, picked(**stands, point("from"), point("to"), entry), {}};
+  if (address) return {200, picked_at(**stands, entry.value_or(0), plant, **address)};
+  return {200, picked(**stands, point("from"), point("to"), entry)};
 }
 
 Answer Scenes::trace(const Doc& doc, const Json& question) {
   constexpr std::size_t kMostRays = 4096;
   const Json& rays = question.at("rays");
-  if (rays.size() > kMostRays) return {400, {{"error", "too many rays"}}, {}};
+  if (rays.size() > kMostRays) return refused(400, "too many rays");
   std::optional<std::set<std::size_t>> on;
   if (question.contains("on") && question["on"].is_array()) on = numbers(question, "on");
   auto things = at_time(traced_, doc, question, traceable);
@@ -70,7 +70,7 @@ Answer Scenes::trace(const Doc& doc, const Json& question) {
     };
     hits.push_back(hit_json(**things, {three(0), glm::normalize(three(3))}, on));
   }
-  return {200, {{"hits", std::move(hits)}}, {}};
+  return {200, {{"hits", std::move(hits)}}};
 }
 
 }  // namespace frond

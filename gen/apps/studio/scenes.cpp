@@ -17,11 +17,8 @@
 #include "grammar/review.h"
 #include "images/raster.h"
 #include "model/bytes.h"
-#include "preset/json.h"
 #include "preview/quick_look.h"
-#include "scene/describe.h"
 #include "studio/answers.h"
-#include "studio/ball.h"
 
 namespace frond {
 
@@ -53,7 +50,7 @@ double seconds_since(Clock::time_point start) {
 }
 
 /// An overtaken question is no fault: browsers would tell of it on their consoles.
-Answer stale() { return {202, {{"stale", true}}, {}}; }
+Answer stale() { return {202, {{"stale", true}}}; }
 
 /// All that an organism grows from, but for its place.
 std::string name_of(const Preset& preset, std::size_t entry) {
@@ -283,7 +280,7 @@ Answer Scenes::view(const Doc& doc, const Json& question, const std::string& nam
     if (question.contains("ask") && question["ask"].is_number()) {
       Result<Json> told = estimate(*preset, hurry.only, bearable(question));
       if (!told) return wrong(told.errors(), notes);
-      if (!told->is_null()) return {202, {{"estimate", *told}}, {}};
+      if (!told->is_null()) return {202, {{"estimate", *told}}};
     }
     ProgressSink watch{[&](auto, std::size_t steps) { tab->done = 0, tab->of = steps; }, [&] { ++tab->done; },
                        cancelled};
@@ -309,16 +306,16 @@ Answer Scenes::view(const Doc& doc, const Json& question, const std::string& nam
   if (packet) tidy_at_times(packet->size() + made_bytes);
   if (cancelled()) return stale();
   if (!packet) return wrong(packet.errors(), notes);
-  return {200, {}, std::move(*packet)};
+  return {200, {}, std::move(*packet), "application/octet-stream"};
 }
 
 Answer Scenes::derive(const Doc& doc, const Json& question) const {
   Result<Preset> preset = documents_.preset(doc);
   if (!preset) return wrong(preset.errors());
   std::size_t entry = index_in(question, "entry", 0);
-  if (entry >= preset->organisms.size()) return {400, {{"error", "there is no such organism"}}, {}};
+  if (entry >= preset->organisms.size()) return refused(400, "there is no such organism");
   std::optional<Result<Grammar>> grammar = preset->organisms[entry].grower->grammar();
-  if (!grammar) return {400, {{"error", "it does not grow by a grammar"}}, {}};
+  if (!grammar) return refused(400, "it does not grow by a grammar");
   if (!*grammar) return wrong(grammar->errors());
   const Grammar& rules = **grammar;
   bool asked = question.contains("steps") && question["steps"].is_number();
@@ -335,7 +332,7 @@ Answer Scenes::derive(const Doc& doc, const Json& question) const {
               {"svg", nullptr}};
   if (Errors errors = refuse(size, rules.text.limits); !errors.empty())
     return wrong(placed(errors, rules.text));
-  if (size.modules > kLongestWord) return {200, answer, {}};
+  if (size.modules > kLongestWord) return {200, answer};
   Result<Word> word = frond::derive(rules, steps, seed, rules.text.limits);
   if (!word) return wrong(placed(word.errors(), rules.text));
   std::string whole = text(rules, *word);
@@ -346,14 +343,7 @@ Answer Scenes::derive(const Doc& doc, const Json& question) const {
     if (Result<std::string> tree = derivation_tree_svg(rules, steps, seed)) answer["tree"] = *tree;
   if (size.segments <= kMostLines)
     if (Result<std::string> svg = turtle_svg(rules, steps, seed, rules.text.limits)) answer["svg"] = *svg;
-  return {200, answer, {}};
-}
-
-Result<std::string> Scenes::ball(const Doc& doc, std::size_t entry) const {
-  Result<Preset> preset = documents_.preset(doc);
-  if (!preset) return preset.errors();
-  if (entry >= preset->organisms.size()) return Error{"entry", "there is no such organism"};
-  return material_ball(preset->organisms[entry], bake_);
+  return {200, answer};
 }
 
 Result<std::string> Scenes::picture(const std::string& name) {

@@ -61,7 +61,7 @@ class Scenes {
   /// is drawn in the view comes to lie there.
   Answer trace(const Doc& doc, const Json& question);
 
-  /// The material of an organism on a ball, as a PNG, see studio/ball.h.
+  /// The material of an organism on a ball, as a PNG, see studio/ball.cpp.
   Result<std::string> ball(const Doc& doc, std::size_t entry) const;
 
   /// A picture of a leaf, a bark or a material that a scene has named.

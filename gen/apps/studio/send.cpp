@@ -11,21 +11,13 @@ constexpr std::size_t kPiece = 256 << 10;  // bytes of a file that are sent at o
 
 }  // namespace
 
-void send(httplib::Response& response, int status, const Json& json) {
-  response.status = status;
-  response.set_content(json.dump(-1, ' ', false, Json::error_handler_t::replace), "application/json");
-}
-
 void send(httplib::Response& response, Answer answer) {
-  if (answer.packet.empty()) return send(response, answer.status, answer.json);
   response.status = answer.status;
-  response.body = std::move(answer.packet);
-  response.set_header("Content-Type", "application/octet-stream");
-}
-
-void send_picture(httplib::Response& response, const Result<std::string>& picture, const char* type) {
-  if (!picture) return send(response, 404, {{"error", picture.errors().front().text()}});
-  response.set_content(*picture, type);
+  if (answer.status == 204) return;
+  const bool json = !answer.type;
+  response.body =
+      json ? answer.json.dump(-1, ' ', false, Json::error_handler_t::replace) : std::move(answer.packet);
+  response.set_header("Content-Type", json ? "application/json" : answer.type);
 }
 
 void send_file(httplib::Response& response, const std::filesystem::path& path) {
@@ -37,7 +29,7 @@ void send_file(httplib::Response& response, const std::filesystem::path& path) {
   std::error_code error;
   auto size = std::filesystem::file_size(path, error);
   auto file = std::make_shared<std::ifstream>(path, std::ios::binary);
-  if (error || !*file || size == 0) return send(response, 404, {{"error", "the file is not there"}});
+  if (error || !*file || size == 0) return send(response, refused(404, "the file is not there"));
   response.set_content_provider(
       size, type, [file](std::size_t at, std::size_t length, httplib::DataSink& sink) {
         std::vector<char> piece(std::min(length, kPiece));

@@ -2,10 +2,12 @@
 #include <httplib.h>
 #include <pthread.h>
 #include <signal.h>
+#include <sys/random.h>
 #include <sys/signalfd.h>
 
+#include <array>
+
 #include "core/files.h"
-#include "core/machine.h"
 #include "core/parallel.h"
 #include "core/read_as.h"
 #include "render/process.h"
@@ -19,7 +21,6 @@
 #include "studio/scenes.h"
 #include "studio/send.h"
 #include "studio/studio.h"
-#include "studio/token.h"
 
 namespace frond {
 
@@ -35,9 +36,49 @@ constexpr const char* kPolicy =
     "'none'; "
     "base-uri 'none'; form-action 'none'";
 
+/// 32 hexadecimal digits that nobody can guess; empty where the system gives no random numbers.
+std::string token() {
+  std::array<unsigned char, 16> bytes{};
+  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) return {};
+  return fmt::format("{:02x}", fmt::join(bytes, ""));
+}
+
+/// Whether two texts are the same; it takes as long whether the first or the last character differs.
+bool same(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  int differs = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) differs |= a[i] ^ b[i];
+  return differs == 0;
+}
+
 /// The number of a question among those of its tab; 0 where it has none.
 std::uint64_t sequence_of(const Request& request) {
   return read_as<std::uint64_t>(request.get_param_value("seq")).value_or(0);
+}
+
+Answer ok(Json json) { return {200, std::move(json)}; }
+
+/// A picture. Where there is none, why; with the status 204 nothing, as a 404 would stand on the browser's
+/// console as a fault.
+Answer picture(const Result<std::string>& bytes, const char* type = "image/png", int none = 404) {
+  if (!bytes) return refused(none, bytes.errors().front().text());
+  return {200, {}, *bytes, type};
+}
+
+/// What was begun, or why it was not.
+Answer begun(const char* name, const Result<std::string>& made) {
+  if (!made) return {422, {{"errors", errors_json(made.errors())}}};
+  return ok({{name, *made}});
+}
+
+/// What there is of that name, or that there is none.
+template <class T>
+Answer found(const char* kind, const T& there) {
+  if (!there) return refused(404, fmt::format("there is no such {}", kind));
+  if constexpr (std::is_same_v<T, bool>)
+    return ok({{"ok", true}});
+  else
+    return ok(*there);
 }
 
 class Server {
@@ -107,58 +148,67 @@ class Server {
 
   /// Why a request is not answered, of which only the head was read. It has to come from our own page: no
   /// other site can name us its host, nor send our token. What follows has to say how long it is.
-  std::optional<Refusal> refusal(const Request& request) const {
-    auto no = [](int status, const char* why) { return Refusal{status, {{"error", why}}}; };
+  std::optional<Answer> refusal(const Request& request) const {
     std::string host = request.get_header_value("Host"), origin = request.get_header_value("Origin");
     std::string own = fmt::format("{}:{}", kHost, port_), local = fmt::format("localhost:{}", port_);
     if ((host != own && host != local) || (!origin.empty() && origin != "http://" + host))
-      return no(421, "a request from another site");
+      return refused(421, "a request from another site");
     bool api = request.path.starts_with("/api/"), gets = request.method == "GET" || request.method == "HEAD";
     if (!gets && !(api && (request.method == "POST" || request.method == "DELETE")))
-      return no(405, "that is not done here");
+      return refused(405, "that is not done here");
     bool told = request.get_header_value_count("Content-Length") == 1;
     if (request.has_header("Transfer-Encoding") || (request.method == "POST" && !told))
-      return no(411, "the length of what is sent has to be told beforehand");
-    if (request.has_header("Content-Encoding")) return no(415, "what is sent must not be compressed");
+      return refused(411, "the length of what is sent has to be told beforehand");
+    if (request.has_header("Content-Encoding")) return refused(415, "what is sent must not be compressed");
     std::size_t most = gets                                                            ? 0
                        : request.path == "/api/mesh" || request.path == "/api/painted" ? kMostMesh
                                                                                        : kMostText;
     if (told && request.get_header_value<std::uint64_t>("Content-Length") > most)
-      return no(413, "what is sent is too long");
+      return refused(413, "what is sent is too long");
     if (!api) return std::nullopt;
     std::string given = request.get_header_value("X-Frond-Token");
     // An img element sends no headers of ours.
     if (given.empty() && request.method == "GET") given = request.get_param_value("token");
     if (same(given, token_)) return std::nullopt;
-    return no(403, kNoToken);
+    return refused(403, kNoToken);
   }
 
+  /// Handlers that give an answer.
+  using Give = std::function<Answer(const Request&)>;
+  static httplib::Server::Handler handler(Give give) {
+    return [give = std::move(give)](const Request& request, Response& response) {
+      send(response, give(request));
+    };
+  }
+  void get(const std::string& path, Give give) { server_.Get(path, handler(std::move(give))); }
+  void take(const std::string& path, Give give) { server_.Post(path, handler(std::move(give))); }
+  void remove(const std::string& path, Give give) { server_.Delete(path, handler(std::move(give))); }
+
   /// A handler for JSON that holds `doc`, a preset.
-  using Ask = std::function<void(const Request&, Response&, const Json&, Doc)>;
+  using Ask = std::function<Answer(const Request&, const Json&, Doc)>;
   void post(const std::string& path, Ask ask) {
-    server_.Post(path, [this, ask](const Request& request, Response& response) {
+    take(path, [this, ask](const Request& request) {
       Json question = Json::parse(request.body, nullptr, false);
-      if (!question.is_object()) return send(response, 400, {{"error", "no JSON object"}});
+      if (!question.is_object()) return refused(400, "no JSON object");
       Doc doc;
       if (question.contains("doc")) {
         const Json& given = question["doc"];
         if (!given.is_object() || !given.value("text", Json()).is_string() ||
             !given.value("file", Json()).is_string())
-          return send(response, 400, {{"error", "doc wants text and file"}});
+          return refused(400, "doc wants text and file");
         auto path_of = documents_.readable(given["file"].get<std::string>());
-        if (!path_of)
-          return send(response, 403, {{"error", "the file is in no folder that the studio may read"}});
+        if (!path_of) return refused(403, "the file is in no folder that the studio may read");
         doc = {given["text"].get<std::string>(), *path_of};
       }
-      ask(request, response, question, std::move(doc));
+      return ask(request, question, std::move(doc));
     });
   }
 
   void add_routes() {
     server_.set_pre_routing_handler([this](const Request& request, Response& response) {
-      std::optional<Refusal> no = refusal(request);
+      std::optional<Answer> no = refusal(request);
       if (!no) return httplib::Server::HandlerResponse::Unhandled;
-      send(response, no->status, no->body);
+      send(response, std::move(*no));
       return httplib::Server::HandlerResponse::Handled;
     });
     server_.set_exception_handler([](const Request&, Response& response, const std::exception_ptr& error) {
@@ -186,192 +236,146 @@ class Server {
   }
 
   void add_documents() {
-    server_.Get("/api/ping", [this](const Request&, Response& response) {
-      send(response, 200,
-           {{"ok", true}, {"started", started_}, {"kept", scenes_.kept()}, {"room", options_.memory}});
+    get("/api/ping", [this](auto&) {
+      return ok({{"ok", true}, {"started", started_}, {"kept", scenes_.kept()}, {"room", options_.memory}});
     });
     server_.Get("/api/start", [this](const Request&, Response& response) {
       // The schema, which is most of it, is written once.
       static const std::string schema = ",\"schema\":" + serialize(preset_schema()) + "}";
-      send(response, 200,
-           {{"started", started_},
-            {"machine", {{"cores", thread_count()}, {"farm", find_program("sbatch").has_value()}}},
-            {"symbols", symbols_json()},
-            {"preset", documents_.opened()},
-            {"presets", documents_.shipped()},
-            {"strips", documents_.strips()}});
+      send(response,
+           ok({{"started", started_},
+               {"machine", {{"cores", thread_count()}, {"farm", find_program("sbatch").has_value()}}},
+               {"symbols", symbols_json()},
+               {"preset", documents_.opened()},
+               {"presets", documents_.shipped()},
+               {"strips", documents_.strips()}}));
       response.body.replace(response.body.size() - 1, 1, schema);
     });
-    server_.Get("/api/preset", [this](const Request& request, Response& response) {
+    get("/api/preset", [this](auto& request) {
       Result<Json> read = documents_.read(request.get_param_value("file"));
-      if (!read) return send(response, 403, {{"error", read.errors().front().text()}});
-      send(response, 200, *read);
+      return read ? ok(*read) : refused(403, read.errors().front().text());
     });
-    server_.Get("/api/disk", [this](const Request& request, Response& response) {
-      send(response, 200, {{"disk", documents_.disk(request.get_param_value("file"))}});
+    get("/api/disk", [this](auto& request) {
+      return ok({{"disk", documents_.disk(request.get_param_value("file"))}});
     });
-    server_.Get("/api/files",
-                [this](const Request&, Response& response) { send(response, 200, documents_.own()); });
-    server_.Get("/api/look", [this](const Request& request, Response& response) {
-      Result<std::string> look = scenes_.look(request.get_param_value("file"));
-      if (!look) return void(response.status = 204);  // a 404 would stand on the browser's console as a fault
-      response.set_content(*look, "image/png");
+    get("/api/files", [this](auto&) { return ok(documents_.own()); });
+    get("/api/look", [this](auto& request) {
+      return picture(scenes_.look(request.get_param_value("file")), "image/png", 204);
     });
-    server_.Get(R"(/api/(gallery|strip|docs)/(.+))", [this](const Request& request, Response& response) {
+    get(R"(/api/(gallery|strip|docs)/(.+))", [this](auto& request) {
       const char* type = request.matches[1] == "docs" ? "text/plain; charset=utf-8" : "image/jpeg";
-      send_picture(response, documents_.leaf(request.matches[1].str(), request.matches[2]), type);
+      return picture(documents_.leaf(request.matches[1].str(), request.matches[2]), type);
     });
-    auto tell = [](Response& response, const std::optional<Refusal>& no, const Json& saved) {
-      no ? send(response, no->status, no->body) : send(response, 200, saved);
-    };
-    post("/api/save", [this, tell](const Request&, Response& response, const Json& question, Doc doc) {
+    post("/api/save", [this](auto&, const Json& question, const Doc& doc) -> Answer {
       std::string file = question.at("file").get<std::string>();
       std::string disk = question.contains("disk") && question["disk"].is_string()
                              ? question["disk"].get<std::string>()
                              : "";
-      if (doc.file.empty()) return send(response, 400, {{"error", "doc is missing"}});
+      if (doc.file.empty()) return refused(400, "doc is missing");
       if (!question.value("force", false))
         if (Result<Preset> preset = documents_.preset(doc); !preset)
-          return send(response, 422, {{"errors", errors_json(preset.errors())}});
-      Json saved;
-      tell(response, documents_.save(file, doc, disk, question.value("overwrite", false), saved), saved);
+          return {422, {{"errors", errors_json(preset.errors())}}};
+      return documents_.save(file, doc, disk, question.value("overwrite", false));
     });
-    server_.Get("/api/painted", [this](const Request& request, Response& response) {
+    get("/api/painted", [this](auto& request) {
       documents_.restore(request.get_param_value("file"));
       auto file = documents_.readable(request.get_param_value("file"));
-      if (!file || file->extension() != ".png")
-        return send(response, 403, {{"error", "no such picture may be read"}});
-      send_picture(response, read_file(*file), "image/png");
+      if (!file || file->extension() != ".png") return refused(403, "no such picture may be read");
+      return picture(read_file(*file));
     });
-    server_.Post("/api/painted", [this, tell](const Request& request, Response& response) {
-      if (!request.body.starts_with("\x89PNG"))
-        return send(response, 400, {{"error", "the file is no picture"}});
-      Json saved;
-      tell(response,
-           documents_.add_file(request.get_param_value("name"), ".png", request.body,
-                               request.get_param_value("of"), saved),
-           saved);
+    take("/api/painted", [this](auto& request) {
+      if (!request.body.starts_with("\x89PNG")) return refused(400, "the file is no picture");
+      return documents_.add_file(request.get_param_value("name"), ".png", request.body,
+                                 request.get_param_value("of"));
     });
-    server_.Post("/api/mesh", [this, tell](const Request& request, Response& response) {
+    take("/api/mesh", [this](auto& request) {
       const httplib::MultipartFormData mesh = request.get_file_value("mesh");
       std::map<std::string, std::string> beside;
       for (auto [at, end] = request.files.equal_range("beside"); at != end; ++at)
         beside.emplace(at->second.filename, at->second.content);
-      Json saved;
-      tell(response,
-           documents_.add_mesh(mesh.filename, mesh.content, beside, request.get_param_value("of"), saved),
-           saved);
+      return documents_.add_mesh(mesh.filename, mesh.content, beside, request.get_param_value("of"));
     });
   }
 
   void add_scenes() {
-    post("/api/scene", [this](const Request& request, Response& response, const Json& question, Doc doc) {
-      send(response, scenes_.view(doc, question, request.get_param_value("session"), sequence_of(request)));
+    post("/api/scene", [this](auto& request, auto& question, const Doc& doc) {
+      return scenes_.view(doc, question, request.get_param_value("session"), sequence_of(request));
     });
-    server_.Get("/api/scene", [this](const Request& request, Response& response) {
-      send(response, 200, scenes_.progress(request.get_param_value("session")));
-    });
-    server_.Delete("/api/scene", [this](const Request& request, Response& response) {
+    get("/api/scene",
+        [this](auto& request) { return ok(scenes_.progress(request.get_param_value("session"))); });
+    remove("/api/scene", [this](auto& request) {
       scenes_.leave(request.get_param_value("session"), sequence_of(request));
-      send(response, 200, {{"ok", true}});
+      return ok({{"ok", true}});
     });
-    post("/api/pick", [this](const Request&, Response& response, const Json& question, Doc doc) {
-      send(response, scenes_.pick(doc, question));
+    post("/api/pick", [this](auto&, auto& question, const Doc& doc) { return scenes_.pick(doc, question); });
+    post("/api/derive",
+         [this](auto&, auto& question, const Doc& doc) { return scenes_.derive(doc, question); });
+    post("/api/grammar",
+         [this](auto&, auto& question, const Doc&) { return grammar_files(documents_, question); });
+    post("/api/grammar/change",
+         [this](auto&, auto& question, const Doc&) { return changed_grammar(documents_, question); });
+    post("/api/ball", [this](auto&, auto& question, const Doc& doc) {
+      return picture(scenes_.ball(doc, index_in(question, "entry", 0)), "image/png", 204);
     });
-    post("/api/derive", [this](const Request&, Response& response, const Json& question, Doc doc) {
-      send(response, scenes_.derive(doc, question));
-    });
-    using Act = Answer (*)(const Documents&, const Json&);
-    for (auto [path, act] : {std::pair<const char*, Act>("/api/grammar", grammar_files),
-                             {"/api/grammar/change", changed_grammar}})
-      post(path, [this, act](const Request&, Response& response, const Json& question, Doc) {
-        send(response, act(documents_, question));
-      });
-    post("/api/ball", [this](const Request&, Response& response, const Json& question, Doc doc) {
-      Result<std::string> ball = scenes_.ball(doc, index_in(question, "entry", 0));
-      if (!ball) return void(response.status = 204);  // as of /api/look
-      response.set_content(*ball, "image/png");
-    });
-    post("/api/trace", [this](const Request&, Response& response, const Json& question, Doc doc) {
-      send(response, scenes_.trace(doc, question));
-    });
-    server_.Get(R"(/api/picture/([A-Za-z0-9_.-]+))", [this](const Request& request, Response& response) {
-      send_picture(response, scenes_.picture(request.matches[1]), "image/png");
-    });
+    post("/api/trace",
+         [this](auto&, auto& question, const Doc& doc) { return scenes_.trace(doc, question); });
+    get(R"(/api/picture/([A-Za-z0-9_.-]+))",
+        [this](auto& request) { return picture(scenes_.picture(request.matches[1])); });
   }
 
   void add_renders() {
-    post("/api/render", [this](const Request&, Response& response, const Json& question, Doc doc) {
-      Result<std::string> id = renders_.begin(std::move(doc), time_in(question), size_in(question),
-                                              question.value("quality", "draft"));
-      if (!id) return send(response, 422, {{"errors", errors_json(id.errors())}});
-      send(response, 200, {{"id", *id}});
+    post("/api/render", [this](auto&, const Json& question, Doc doc) {
+      return begun("id", renders_.begin(std::move(doc), time_in(question), size_in(question),
+                                        question.value("quality", "draft")));
     });
-    post("/api/export", [this](const Request&, Response& response, const Json& question, Doc doc) {
+    post("/api/export", [this](auto&, auto& question, const Doc& doc) {
       auto path = export_doc(documents_, options_.home, doc, export_order(question));
-      if (!path) return send(response, 422, {{"errors", errors_json(path.errors())}});
-      send(response, 200, {{"file", path->string()}});
+      return begun("file", path ? Result(path->string()) : path.errors());
     });
-    post("/api/export/size", [this](const Request&, Response& response, const Json& question, Doc doc) {
-      send(response, export_size(documents_, scenes_, doc, export_order(question)));
+    post("/api/export/size", [this](auto&, auto& question, const Doc& doc) {
+      return export_size(documents_, scenes_, doc, export_order(question));
     });
-    server_.Get("/api/renders",
-                [this](const Request&, Response& response) { send(response, 200, renders_.list()); });
-    auto nothing = [](Response& response) { send(response, 404, {{"error", "there is no such render"}}); };
-    server_.Get(R"(/api/render/(\d+))", [this, nothing](const Request& request, Response& response) {
-      std::optional<Json> state = renders_.state(request.matches[1]);
-      state ? send(response, 200, *state) : nothing(response);
-    });
-    server_.Get(R"(/api/render/(\d+)/doc)", [this, nothing](const Request& request, Response& response) {
+    get("/api/renders", [this](auto&) { return ok(renders_.list()); });
+    get(R"(/api/render/(\d+))",
+        [this](auto& request) { return found("render", renders_.state(request.matches[1])); });
+    get(R"(/api/render/(\d+)/doc)", [this](auto& request) {
       std::optional<Doc> doc = renders_.doc(request.matches[1]);
-      doc ? send(response, 200, {{"text", doc->text}, {"file", doc->file.string()}}) : nothing(response);
+      std::optional<Json> json;
+      if (doc) json = {{"text", doc->text}, {"file", doc->file.string()}};
+      return found("render", json);
     });
-    server_.Get(R"(/api/render/(\d+)/picture)", [this](const Request& request, Response& response) {
-      send_picture(response, renders_.picture(request.matches[1]), "image/png");
-    });
-    server_.Delete(R"(/api/render/(\d+))", [this, nothing](const Request& request, Response& response) {
-      renders_.cancel(request.matches[1]) ? send(response, 200, {{"ok", true}}) : nothing(response);
-    });
+    get(R"(/api/render/(\d+)/picture)",
+        [this](auto& request) { return picture(renders_.picture(request.matches[1])); });
+    remove(R"(/api/render/(\d+))",
+           [this](auto& request) { return found("render", renders_.cancel(request.matches[1])); });
   }
 
   void add_films() {
-    post("/api/film", [this](const Request&, Response& response, const Json& question, Doc doc) {
+    post("/api/film", [this](auto&, const Json& question, const Doc& doc) {
       FilmOrder order;
       order.size = size_in(question);
       order.quality = question.value("quality", order.quality), order.frames = question.value("range", "");
       order.rough = question.value("rough", order.rough), order.farm = question.value("farm", order.farm);
-      Result<std::string> id = films_.begin(doc, order);
-      if (!id) return send(response, 422, {{"errors", errors_json(id.errors())}});
-      send(response, 200, {{"id", *id}});
+      return begun("id", films_.begin(doc, order));
     });
-    post("/api/moment", [this](const Request&, Response& response, const Json& question, Doc doc) {
-      Result<std::string> look = scenes_.moment(doc, time_in(question));
-      if (!look) return void(response.status = 204);  // as of /api/look
-      response.set_content(*look, "image/png");
+    post("/api/moment", [this](auto&, auto& question, const Doc& doc) {
+      return picture(scenes_.moment(doc, time_in(question)), "image/png", 204);
     });
-    server_.Get("/api/films",
-                [this](const Request&, Response& response) { send(response, 200, films_.list()); });
-    auto nothing = [](Response& response) { send(response, 404, {{"error", "there is no such film"}}); };
-    server_.Get(R"(/api/film/([\w-]+))", [this, nothing](const Request& request, Response& response) {
-      std::optional<Json> state = films_.state(request.matches[1]);
-      state ? send(response, 200, *state) : nothing(response);
+    get("/api/films", [this](auto&) { return ok(films_.list()); });
+    get(R"(/api/film/([\w-]+))",
+        [this](auto& request) { return found("film", films_.state(request.matches[1])); });
+    server_.Get(R"(/api/film/([\w-]+)/([\w.]+))", [this](const Request& request, Response& response) {
+      std::optional<std::filesystem::path> file = films_.file(request.matches[1], request.matches[2]);
+      if (file) return send_file(response, *file);
+      // What shows what is traced comes and goes.
+      send(response, request.matches[2] == "watch.png" ? Answer{204} : found("film", false));
     });
-    server_.Get(
-        R"(/api/film/([\w-]+)/([\w.]+))", [this, nothing](const Request& request, Response& response) {
-          std::optional<std::filesystem::path> file = films_.file(request.matches[1], request.matches[2]);
-          if (!file && request.matches[2] == "watch.png")
-            return void(response.status = 204);  // it comes and goes
-          file ? send_file(response, *file) : nothing(response);
-        });
-    using Act = bool (Films::*)(const std::string&);
-    for (auto [name, act] : {std::pair<const char*, Act>("pause", &Films::pause), {"resume", &Films::resume}})
-      server_.Post(fmt::format(R"(/api/film/([\w-]+)/{})", name), [this, nothing, act](const Request& request,
-                                                                                       Response& response) {
-        (films_.*act)(request.matches[1]) ? send(response, 200, {{"ok", true}}) : nothing(response);
-      });
-    server_.Delete(R"(/api/film/([\w-]+))", [this, nothing](const Request& request, Response& response) {
-      films_.remove(request.matches[1]) ? send(response, 200, {{"ok", true}}) : nothing(response);
-    });
+    take(R"(/api/film/([\w-]+)/pause)",
+         [this](auto& request) { return found("film", films_.pause(request.matches[1])); });
+    take(R"(/api/film/([\w-]+)/resume)",
+         [this](auto& request) { return found("film", films_.resume(request.matches[1])); });
+    remove(R"(/api/film/([\w-]+))",
+           [this](auto& request) { return found("film", films_.remove(request.matches[1])); });
   }
 
   StudioOptions options_;

@@ -130,12 +130,8 @@ std::vector<std::uint8_t> floor_colors(const Scene& scene, const Color& bare, co
   const auto* forest = dynamic_cast<const ForestGround*>(scene.ground.get());
   std::vector<std::uint8_t> colors;
   if (!forest) return colors;
-  for (const Vec2& mark : forest->floor().uv) {
-    Color c = srgb(glm::mix(linear(floor), linear(bare), trodden(mark, forest->mountain)));
-    for (float x : {c.red, c.green, c.blue})
-      colors.push_back(static_cast<std::uint8_t>(std::lround(255 * std::clamp(x, 0.0f, 1.0f))));
-    colors.push_back(255);
-  }
+  for (const Vec2& mark : forest->floor().uv)
+    push(colors, srgb(glm::mix(linear(floor), linear(bare), trodden(mark, forest->mountain))));
   return colors;
 }
 
@@ -171,8 +167,7 @@ void add_ground(const Scene& scene, const Daylight& light, std::vector<DrawnPart
     for (const Patch& patch : *patches.at) {
       Quat turn = Quat(Vec3(0, 1, 0), glm::normalize(Vec3(-patch.slope.x, 1, -patch.slope.y))) *
                   glm::angleAxis(static_cast<float>(patch.turn), Vec3(0, 1, 0));
-      std::vector<float>& list = places[static_cast<std::size_t>(patch.shape)];
-      list.insert(list.end(), {patch.at.x, patch.at.y, patch.at.z, turn.x, turn.y, turn.z, turn.w, 1, 1, 1});
+      push(places[static_cast<std::size_t>(patch.shape)], patch.at, turn, Vec3(1));
     }
     for (std::size_t k = 0; k < places.size(); ++k)
       if (!places[k].empty()) add(*patches.shapes[k], *patches.color, places[k]);
@@ -182,9 +177,7 @@ void add_ground(const Scene& scene, const Daylight& light, std::vector<DrawnPart
   for (const ScatteredInstances& strewn : all) {
     if (strewn.at.empty()) continue;
     std::vector<float> places;
-    for (const ScatteredInstances::At& a : strewn.at)
-      places.insert(places.end(), {a.place.x, a.place.y, a.place.z, a.turn.x, a.turn.y, a.turn.z, a.turn.w,
-                                   a.size.x, a.size.y, a.size.z});
+    for (const ScatteredInstances::At& a : strewn.at) push(places, a.place, a.turn, a.size);
     add(*strewn.shape, strewn.color, places);
   }
 }
@@ -277,10 +270,7 @@ Errors add_copies(const Scene& scene, const ViewRequest& request, ViewCache& mod
     const Copies& c = set->copies;
     for (std::size_t k = 0; k < c.size(); ++k) {
       if (c.model[k] != which || !c.there(k, request.time)) continue;
-      Quat turn = c.turn_at(k, request.time);
-      Vec3 scale = c.scale_at(k, request.time);
-      places.insert(places.end(), {c.foot[k].x, c.foot[k].y, c.foot[k].z, turn.x, turn.y, turn.z, turn.w,
-                                   scale.x, scale.y, scale.z});
+      push(places, c.foot[k], c.turn_at(k, request.time), c.scale_at(k, request.time));
       for (std::uint8_t byte : tint_bytes(tint_shift(set->organism.sown->tint, c.tint[k])))
         tints.push_back(byte);
     }

@@ -51,6 +51,10 @@ Result<std::vector<DrawnPart>> specimen_parts(const Specimen& specimen, double t
 /// Those of the plant's own bark, then those of each other bark that is worn.
 std::vector<DrawnPart> tubes_parts(const DrawnBranches& branches);
 
+/// Appends a place of a mesh, ten numbers, and a colour, four bytes.
+void push(std::vector<float>& places, Vec3 at, Quat turn, Vec3 scale);
+void push(std::vector<std::uint8_t>& colors, const Color& color);
+
 /// A mesh that is placed at `places`, ten numbers each, with coarser ones for where it is small: those of
 /// leaves keep what each piece covers. "coarse" lists them with the "size" in metres of what they lose.
 void add_placed(DrawnPart& part, const Surface& surface, std::span<const float> places, bool leaf);

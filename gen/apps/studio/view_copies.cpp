@@ -16,12 +16,7 @@ constexpr std::size_t kNear = 2;  // levels that show the bark
 std::vector<std::uint8_t> leaf_colors(const Surface& leaves, const std::vector<Color>& colors) {
   std::vector<std::uint8_t> painted;
   painted.reserve(4 * leaves.uv.size());
-  for (Vec2 uv : leaves.uv) {
-    const Color& c = colors[color_index(uv, colors.size())];
-    for (float x : {c.red, c.green, c.blue})
-      painted.push_back(static_cast<std::uint8_t>(std::lround(255 * x)));
-    painted.push_back(255);
-  }
+  for (Vec2 uv : leaves.uv) push(painted, colors[color_index(uv, colors.size())]);
   return painted;
 }
 

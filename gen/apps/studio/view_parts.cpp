@@ -1,4 +1,3 @@
-#include <array>
 #include <map>
 
 #include "draw/bough_snow.h"
@@ -14,16 +13,6 @@ namespace {
 constexpr std::size_t kManyTriangles = 10'000;  // in all places together: fewer are quick to draw
 constexpr double kSnowPixel = 0.006;            // metres, see bough_snow()
 constexpr std::uint32_t kLoose = 200;  // pieces: a surface of more has no skin that one could simplify
-
-void push(std::vector<float>& to, Vec3 at, Quat turn, Vec3 scale) {
-  to.insert(to.end(), {at.x, at.y, at.z, turn.x, turn.y, turn.z, turn.w, scale.x, scale.y, scale.z});
-}
-
-void push(std::vector<std::uint8_t>& to, const Color& c) {
-  for (float x : {c.red, c.green, c.blue})
-    to.push_back(static_cast<std::uint8_t>(std::lround(255 * std::clamp(x, 0.0f, 1.0f))));
-  to.push_back(255);
-}
 
 DrawnPart& mesh_part(std::vector<DrawnPart>& parts, Json material) {
   DrawnPart& part = parts.emplace_back();
@@ -128,6 +117,16 @@ void add_bough_snow(const DrawList& drawn, double time, std::vector<DrawnPart>& 
 }
 
 }  // namespace
+
+void push(std::vector<float>& places, Vec3 at, Quat turn, Vec3 scale) {
+  places.insert(places.end(), {at.x, at.y, at.z, turn.x, turn.y, turn.z, turn.w, scale.x, scale.y, scale.z});
+}
+
+void push(std::vector<std::uint8_t>& colors, const Color& color) {
+  for (float x : {color.red, color.green, color.blue})
+    colors.push_back(static_cast<std::uint8_t>(std::lround(255 * std::clamp(x, 0.0f, 1.0f))));
+  colors.push_back(255);
+}
 
 Json material_json(const PlainLook& look) {
   Json json{{"color", json_of(look.color)}, {"gloss", look.gloss}, {"both_sides", look.both_sides}};
