@@ -2,7 +2,6 @@
 #include <memory>
 #include <set>
 
-#include "cli/commands.h"
 #include "cli/rendering.h"
 #include "cli/streams.h"
 #include "core/files.h"

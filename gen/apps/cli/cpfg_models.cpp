@@ -21,20 +21,20 @@ struct DerivedModel {
   CpfgDerived derived;
 };
 
-Result<DerivedModel> derive_model(const GrammarArguments& arguments, bool drawing) {
-  if (arguments.seed) return Error{"--seed", "a model of cpfg has its seed in its file; change it there"};
-  if (arguments.angle) return Error{"--angle", "a model of cpfg has its angle in its view; change it there"};
-  if (arguments.mutations > 0) return Error{"--mutate", "only grammars of LParser are mutated"};
-  Result<CpfgModel> model = read_cpfg(arguments.path);
-  if (!model) return model.errors();
-  for (const std::string& note : model->notes) tell(fmt::format("note: {}", note));
+DerivedModel derive_model(const GrammarArguments& arguments, bool drawing) {
+  if (arguments.seed)
+    fail({{"--seed", "a model of cpfg has its seed in its file; change it there"}}, kWrongInput);
+  if (arguments.angle)
+    fail({{"--angle", "a model of cpfg has its angle in its view; change it there"}}, kWrongInput);
+  if (arguments.mutations > 0) fail({{"--mutate", "only grammars of LParser are mutated"}}, kWrongInput);
+  CpfgModel model = or_fail(read_cpfg(arguments.path), kWrongInput);
+  for (const std::string& note : model.notes) tell(fmt::format("note: {}", note));
   CpfgRequest request;
   request.drawing = drawing;
   if (arguments.steps) request.steps = static_cast<int>(std::clamp(std::ceil(*arguments.steps), 0.0, 1e9));
-  Result<CpfgDerived> derived = derive(*model, request);
-  if (!derived) return derived.errors();
-  for (const std::string& note : derived->notes) tell(fmt::format("{}: note: {}", arguments.path, note));
-  return DerivedModel{std::move(*model), std::move(*derived)};
+  CpfgDerived derived = or_fail(derive(model, request), kWrongInput);
+  for (const std::string& note : derived.notes) tell(fmt::format("{}: note: {}", arguments.path, note));
+  return {std::move(model), std::move(derived)};
 }
 
 std::string list(DVec3 v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); }
@@ -63,7 +63,7 @@ bool is_cpfg_model(const std::string& path) {
 }
 
 void info_cpfg(const GrammarArguments& arguments, bool json) {
-  DerivedModel made = or_fail(derive_model(arguments, true), kWrongInput);
+  DerivedModel made = derive_model(arguments, true);
   const CpfgWord& word = made.derived.word;
   auto draws = [](const CpfgModule& module) { return module.symbol == 'F' || module.symbol == 'G'; };
   auto segments = std::ranges::count_if(made.derived.drawing.word.modules, draws);
@@ -80,7 +80,7 @@ void derive_cpfg(const GrammarArguments& arguments) {
         {{"--tree", "which symbol came from which is drawn of Frond's own grammars, not of a model of cpfg"}},
         kWrongInput);
   now_doing("deriving the word");
-  DerivedModel made = or_fail(derive_model(arguments, false), kWrongInput);
+  DerivedModel made = derive_model(arguments, false);
   if (arguments.format == "text") {
     put(text(made.derived.word, made.model));
     put("\n");
@@ -93,7 +93,7 @@ void derive_cpfg(const GrammarArguments& arguments) {
 
 void turtle_cpfg(const GrammarArguments& arguments) {
   now_doing("deriving the word and walking along it");
-  DerivedModel made = or_fail(derive_model(arguments, true), kWrongInput);
+  DerivedModel made = derive_model(arguments, true);
   CpfgFigure figure = or_fail(draw(made.model, made.derived.drawing), kWrongInput);
   if (arguments.picture) {
     or_fail(write_file(*arguments.picture, svg_of(drawing_of(figure))), kCouldNot);

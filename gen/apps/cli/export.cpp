@@ -3,12 +3,12 @@
 #include "cli/commands.h"
 #include "cli/heartbeat.h"
 #include "cli/inputs.h"
-#include "cli/judge.h"
 #include "cli/streams.h"
 #include "core/figures.h"
 #include "core/home.h"
 #include "core/read_as.h"
 #include "export/formats.h"
+#include "pipeline/out_folder.h"
 
 namespace frond {
 

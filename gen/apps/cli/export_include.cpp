@@ -2,7 +2,6 @@
 
 #include "cli/commands.h"
 #include "cli/inputs.h"
-#include "cli/judge.h"
 #include "cli/streams.h"
 #include "core/figures.h"
 #include "core/files.h"
@@ -11,6 +10,7 @@
 #include "export/formats.h"
 #include "export/include.h"
 #include "film/film_files.h"
+#include "pipeline/out_folder.h"
 #include "settings/settings.h"
 
 // A scene as an include for POV-Ray: export to an .inc.
@@ -24,21 +24,16 @@ namespace {
 const ProgressSink kQuiet{[](auto, auto) {}, [] {}};
 
 /// The files of povinc.
-Result<MacroFiles> read_macros() {
-  Result<fs::path> root = home();
-  if (!root) return root.errors();
+MacroFiles read_macros() {
   MacroFiles macros;
-  for (const fs::path& file : files_in(*root / "povinc")) {
-    if (file.extension() != ".inc") continue;
-    Result<std::string> text = read_file(file);
-    if (!text) return text.errors();
-    macros.emplace_back(file.filename().string(), std::move(*text));
-  }
+  for (const fs::path& file : files_in(or_fail(home(), kCouldNot) / "povinc"))
+    if (file.extension() == ".inc")
+      macros.emplace_back(file.filename().string(), or_fail(read_file(file), kCouldNot));
   return macros;
 }
 
 /// Grows the models of what is sown.
-Errors grow_models(IncludeVariant& variant) {
+void grow_models(IncludeVariant& variant) {
   std::vector<ModelFile> files = variant.plans.front().files;  // by copy set, model and level
   variant.models.resize(files.size());
   std::vector<Errors> errors(files.size());
@@ -56,24 +51,20 @@ Errors grow_models(IncludeVariant& variant) {
       variant.models[k] = text.title + text.body;
     }
   });
-  for (const Errors& list : errors)
-    if (!list.empty()) return list;
+  for (const Errors& list : errors) or_fail(list, kCouldNot);
   for (CopyPlan& plan : variant.plans) plan.files = files;
-  return {};
 }
 
 /// The preset's scene by the n-th seed, with all that an include needs of it beside the include.
-Result<IncludeVariant> grow_variant(const Preset& preset, const fs::path& out) {
+IncludeVariant grow_variant(const Preset& preset, const fs::path& out) {
   Preset bare = preset;
   // What is sown follows the land; all else stands on flat ground.
   auto sown = [](const Organism& organism) { return organism.sown.has_value(); };
   if (std::ranges::none_of(preset.organisms, sown)) bare.setup.setting = row_of("studio");
-  Result<Scene> scene = build_scene(bare);
-  if (!scene) return scene.errors();
-  IncludeVariant variant = include_variant(std::move(*scene));
-  if (Errors errors = grow_models(variant); !errors.empty()) return errors;
+  IncludeVariant variant = include_variant(or_fail(build_scene(bare), kCouldNot));
+  grow_models(variant);
   fs::path folder = out.has_parent_path() ? out.parent_path() : fs::path(".");
-  if (Errors errors = write_drawings(variant.scene, folder, kQuiet); !errors.empty()) return errors;
+  or_fail(write_drawings(variant.scene, folder, kQuiet), kCouldNot);
   return variant;
 }
 
@@ -113,14 +104,14 @@ void export_include(const ExportArguments& arguments) {
                    out.filename().string(),
                    preset.title,
                    arguments.preset.path,
-                   or_fail(read_macros(), kCouldNot),
+                   read_macros(),
                    {}};
   for (int frame = range.first; frame <= range.last; ++frame) text.frames.push_back(frame);
   std::vector<IncludeVariant> variants;
   for (int i = 0; i < arguments.seeds; ++i) {
     now_doing("growing what stands in the scene");
     preset.seed += i > 0 ? 1 : 0;
-    variants.push_back(or_fail(grow_variant(preset, out), kCouldNot));
+    variants.push_back(grow_variant(preset, out));
   }
   now_doing("writing the include");
   Result<std::string> written = include_text(text, variants);

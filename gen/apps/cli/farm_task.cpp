@@ -9,12 +9,10 @@
 
 #include "cli/bar.h"
 #include "cli/commands.h"
-#include "cli/inputs.h"
 #include "cli/messages.h"
 #include "core/files.h"
 #include "core/frame_name.h"
 #include "core/parallel.h"
-#include "core/printable.h"
 #include "core/text.h"
 #include "farm/farm_folder.h"
 #include "farm/farm_plan.h"

@@ -28,7 +28,7 @@ struct Drift {
   std::string species, name;
   double height = 0, width = 0;  // of one plant, metres
   int count = 1;
-  double radius = 0;  // of the drift, metres, were it round
+  double half_width = 0, half_depth = 0;  // of what the drift takes of the bed
   double x = 0, z = 0;
 };
 
@@ -90,7 +90,10 @@ Result<Drift> grown_drift(const std::string& name) {
   if (!(drift.height > 0 && drift.width > 0))
     return Error{"--with", fmt::format("\"{}\" shows nothing at the end of its growth", name)};
   drift.count = usual_count(drift.height);
-  drift.radius = kCloseness * drift.width * std::sqrt(drift.count);
+  double radius = kCloseness * drift.width * std::sqrt(drift.count);  // were it round
+  bool tree = drift.height >= kTree;  // whose crown reaches over what stands before it
+  drift.half_width = tree ? 0.3 : radius * std::sqrt(kStretch);
+  drift.half_depth = tree ? 0.3 : radius / std::sqrt(kStretch);
   return drift;
 }
 
@@ -100,22 +103,13 @@ Value numbers(std::initializer_list<double> values) {
   return list;
 }
 
-/// Half the depth and half the width of what a drift takes of the bed. Crowns of trees reach over what stands
-/// before them.
-double depth_of(const Drift& drift) {
-  return drift.height >= kTree ? 0.3 : drift.radius / std::sqrt(kStretch);
-}
-double width_of(const Drift& drift) {
-  return drift.height >= kTree ? 0.3 : drift.radius * std::sqrt(kStretch);
-}
-
 /// The low ones in front, drifts to the left and right by turns so that each shows beside that before it.
 void lay_out(std::vector<Drift>& drifts) {
   std::ranges::stable_sort(drifts, {}, &Drift::height);
   double z = 0, widest = 0;
-  for (const Drift& drift : drifts) widest = std::max(widest, width_of(drift));
+  for (const Drift& drift : drifts) widest = std::max(widest, drift.half_width);
   for (std::size_t i = 0; i < drifts.size(); ++i) {
-    if (i > 0) z -= 0.8 * (depth_of(drifts[i - 1]) + depth_of(drifts[i]));
+    if (i > 0) z -= 0.8 * (drifts[i - 1].half_depth + drifts[i].half_depth);
     drifts[i].z = z;
     if (drifts.size() > 1) drifts[i].x = (i % 2 == 0 ? -0.5 : 0.5) * widest;
   }
@@ -132,8 +126,8 @@ Value places_of(const Drift& drift) {
     auto shake = [&](const char* axis) {
       return drift.count > 1 ? 0.2 * drift.width * own.child(axis).range(-1, 1) : 0;
     };
-    places.items.push_back(numbers({drift.x + width_of(drift) * share * std::cos(turn) + shake("x"),
-                                    drift.z + depth_of(drift) * share * std::sin(turn) + shake("z")}));
+    places.items.push_back(numbers({drift.x + drift.half_width * share * std::cos(turn) + shake("x"),
+                                    drift.z + drift.half_depth * share * std::sin(turn) + shake("z")}));
   }
   return places;
 }
@@ -152,7 +146,7 @@ Value earth_of(const std::vector<Drift>& drifts) {
   constexpr double kRim = 0.15;  // metres of bare earth
   double left = 0, right = 0, back = 0, front = 0;
   for (const Drift& drift : drifts) {
-    double x = width_of(drift) + kRim, z = depth_of(drift) + kRim;
+    double x = drift.half_width + kRim, z = drift.half_depth + kRim;
     left = std::min(left, drift.x - x), right = std::max(right, drift.x + x);
     back = std::min(back, drift.z - z), front = std::max(front, drift.z + z);
   }

@@ -4,7 +4,6 @@
 #include <sys/prctl.h>
 
 #include <charconv>
-#include <cstdlib>
 
 #include "cli/commands.h"
 #include "cli/inputs.h"

@@ -68,16 +68,16 @@ Result<Grammar> changed(const Grammar& grammar, const GrammarArguments& argument
   return compile(text);
 }
 
-Result<Loaded> load(const GrammarArguments& arguments) {
+Loaded load(const GrammarArguments& arguments) {
   Result<Grammar> grammar = load_grammar(arguments.path, arguments.assets, arguments.system);
   if (grammar && (arguments.angle || arguments.mutations > 0)) grammar = changed(*grammar, arguments);
-  if (!grammar) return in_file(grammar.errors(), arguments.path);
+  if (!grammar) fail(in_file(grammar.errors(), arguments.path), kWrongInput);
   // Those of a preset have been told with it.
   if (is_grammar(arguments.path)) tell_notes(in_file(grammar->warnings, arguments.path));
   double steps = arguments.steps.value_or(grammar->text.growth());
-  if (std::isnan(steps)) return Error{"--steps", "found nan; expected a number of 0 or more"};
+  if (std::isnan(steps)) fail({{"--steps", "found nan; expected a number of 0 or more"}}, kWrongInput);
   Seed seed{arguments.seed.value_or(grammar->text.seed)};
-  return Loaded{std::move(*grammar), steps, seed};
+  return {std::move(*grammar), steps, seed};
 }
 
 /// Writes a picture, if one was asked for.
@@ -95,8 +95,7 @@ void info_grammar(const std::string& path, const std::optional<std::string>& ass
   GrammarArguments arguments;
   arguments.path = path, arguments.assets = assets;
   if (is_cpfg_model(path)) return info_cpfg(arguments, json);
-  Loaded loaded = or_fail(load(arguments), kWrongInput);
-  const auto& [grammar, steps, seed] = loaded;
+  const auto [grammar, steps, seed] = load(arguments);
   Forecast size = forecast(grammar, static_cast<int>(std::ceil(steps)), seed, grammar.text.limits);
   constexpr const char* kKinds[] = {"exact", "expected", "extrapolated", "at least"};
   std::string_view form =
@@ -129,8 +128,7 @@ void check_grammar(const PresetArguments& arguments) {
 
 void derive_word(const GrammarArguments& arguments) {
   if (is_cpfg_model(arguments.path)) return derive_cpfg(arguments);
-  Loaded loaded = or_fail(load(arguments), kWrongInput);
-  const auto& [grammar, exact, seed] = loaded;
+  const auto [grammar, exact, seed] = load(arguments);
   now_doing("deriving the word");
   auto steps = static_cast<int>(std::ceil(exact));
   if (arguments.picture) return write_picture(arguments, grammar, derivation_tree_svg(grammar, steps, seed));
@@ -146,8 +144,7 @@ void derive_word(const GrammarArguments& arguments) {
 
 void walk_turtle(const GrammarArguments& arguments) {
   if (is_cpfg_model(arguments.path)) return turtle_cpfg(arguments);
-  Loaded loaded = or_fail(load(arguments), kWrongInput);
-  const auto& [grammar, steps, seed] = loaded;
+  const auto [grammar, steps, seed] = load(arguments);
   const Limits& limits = grammar.text.limits;
   now_doing("deriving the word and walking along it");
   Forecast size = forecast(grammar, static_cast<int>(std::ceil(steps)), seed, limits);

@@ -1,57 +1,42 @@
-#include "cli/judge.h"
-
 #include <fmt/format.h>
 
 #include <string_view>
 
-#include "cli/inputs.h"
-#include "jobs/jobs.h"
+#include "cli/words.h"
+#include "core/text.h"
+
+// Options that do not go with each other: judged before anything is grown or rendered.
 
 namespace frond {
 
-namespace fs = std::filesystem;
-
 namespace {
 
-/// Two options of a command that do not go together, and why.
+/// An option of a command that does not go with some others, and why.
 struct Unfit {
-  std::string_view command, one, other;  ///< "*": any other
+  std::string_view command, one, others;  ///< with blanks between them; "*": any other
   std::string_view why;
 };
 
+constexpr std::string_view kOfFilms = "--format --every --watch --plot";
 constexpr std::string_view kSheet = "a sheet is of stills; expected one of the two";
-constexpr std::string_view kWhy = "nothing is rendered; expected --why alone";
 constexpr std::string_view kOneOf = "expected one of the two";
 constexpr std::string_view kOnlyLooks = "this only looks at what was handed over; expected it alone";
+constexpr std::string_view kPartition = "a partition is one of Slurm; expected one of the two";
 
 constexpr Unfit kUnfit[] = {
     {"render", "--compare", "*", "nothing is rendered; expected --compare alone"},
-    {"render", "--why", "--format", kWhy},
-    {"render", "--why", "--every", kWhy},
-    {"render", "--why", "--watch", kWhy},
-    {"render", "--why", "--plot", kWhy},
-    {"render", "--why", "--jobs", kWhy},
-    {"render", "--why", "--sweep", kWhy},
-    {"render", "--why", "--contact-seeds", kWhy},
-    {"render", "--sweep", "--format", kSheet},
-    {"render", "--sweep", "--every", kSheet},
-    {"render", "--sweep", "--watch", kSheet},
-    {"render", "--sweep", "--plot", kSheet},
-    {"render", "--contact-seeds", "--format", kSheet},
-    {"render", "--contact-seeds", "--every", kSheet},
-    {"render", "--contact-seeds", "--watch", kSheet},
-    {"render", "--contact-seeds", "--plot", kSheet},
+    {"render", "--why", "--format --every --watch --plot --jobs --sweep --contact-seeds",
+     "nothing is rendered; expected --why alone"},
+    {"render", "--sweep", kOfFilms, kSheet},
+    {"render", "--contact-seeds", kOfFilms, kSheet},
     {"render", "--resolve", "--no-resolve", kOneOf},
     {"generate", "--resolve", "--no-resolve", kOneOf},
     {"farm", "--resolve", "--no-resolve", kOneOf},
-    {"farm", "--status", "--cancel", kOnlyLooks},
-    {"farm", "--status", "--logs", kOnlyLooks},
+    {"farm", "--status", "--cancel --logs", kOnlyLooks},
     {"farm", "--cancel", "--logs", kOnlyLooks},
-    {"farm", "--hosts", "--openjd", kOneOf},
-    {"farm", "--hosts", "--opencue", kOneOf},
-    {"farm", "--hosts", "--partition", "a partition is one of Slurm; expected one of the two"},
-    {"farm", "--partition", "--openjd", "a partition is one of Slurm; expected one of the two"},
-    {"farm", "--partition", "--opencue", "a partition is one of Slurm; expected one of the two"},
+    {"farm", "--hosts", "--openjd --opencue", kOneOf},
+    {"farm", "--hosts", "--partition", kPartition},
+    {"farm", "--partition", "--openjd --opencue", kPartition},
     {"derive", "--tree", "--format", "a tree is a picture of the derivation; expected one of the two"},
     {"export", "--frame", "--frames", "the last of --frames is what --frame says; expected one of the two"},
     {"export", "--frames", "--lods", "only one mesh can move; expected one of the two"},
@@ -59,10 +44,7 @@ constexpr Unfit kUnfit[] = {
      "what moves is one mesh for each organism; expected one of the two"},
     {"export", "--lods", "--instances",
      "a level of detail is one mesh for each organism; expected one of the two"},
-    {"film", "--columns", "--fps", "a sheet is a picture; expected one of the two"},
-    {"film", "--columns", "--title", "a sheet is a picture; expected one of the two"},
-    {"film", "--columns", "--comment", "a sheet is a picture; expected one of the two"},
-    {"film", "--columns", "--alpha", "a sheet is a picture; expected one of the two"},
+    {"film", "--columns", "--fps --title --comment --alpha", "a sheet is a picture; expected one of the two"},
     {"film", "--columns", "--dpi", "only a copy of one picture says that; expected one of the two"},
 };
 
@@ -90,12 +72,13 @@ std::string another(const CLI::App& command, std::string_view one) {
 }
 
 void judge_command(const CLI::App& command) {
-  for (const Unfit& pair : kUnfit) {
-    if (command.get_name() != pair.command || !given(command, pair.one)) continue;
-    std::string other(pair.other);
-    if (pair.other == "*") other = another(command, pair.one);
-    if (!other.empty() && given(command, other))
-      throw CLI::ValidationError(fmt::format("{} does not go with {}: {}", pair.one, other, pair.why));
+  for (const Unfit& unfit : kUnfit) {
+    if (command.get_name() != unfit.command || !given(command, unfit.one)) continue;
+    for (std::string other : split(unfit.others, ' ')) {
+      if (other == "*") other = another(command, unfit.one);
+      if (!other.empty() && given(command, other))
+        throw CLI::ValidationError(fmt::format("{} does not go with {}: {}", unfit.one, other, unfit.why));
+    }
   }
   for (const Needs& pair : kNeeds)
     if (command.get_name() == pair.command && given(command, pair.one) && !given(command, pair.other))
@@ -108,20 +91,6 @@ void judge_command(const CLI::App& command) {
 void judge_options(CLI::App& app) {
   for (CLI::App* command : app.get_subcommands({}))
     command->parse_complete_callback([command] { judge_command(*command); });
-}
-
-Errors judge_render(const RenderArguments& a, const Film& film) {
-  if (Errors errors = refuse_resolving(film, a.resolve); !errors.empty()) return errors;
-  Result<FrameRange> range = read_frames(a.frames, film.frames, {1, film.frames});
-  if (!range) return range.errors();
-  if (a.why > 0 && (a.why < range->first || a.why > range->last))
-    return {{"--why", fmt::format("{} is no frame of this {}; expected {}-{}", a.why,
-                                  a.frames ? "run" : "film", range->first, range->last)}};
-  if (film.transparent() && a.format == "mp4")
-    return {{"--format", "an mp4 has no opacity; expected mov, webm, webp or gif"}};
-  if (!film.transparent() && a.format == "mov")
-    return {{"--format", "a mov is for a transparent film; expected mp4, webm, webp or gif"}};
-  return {};
 }
 
 }  // namespace frond

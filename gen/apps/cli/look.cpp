@@ -3,11 +3,11 @@
 #include "cli/commands.h"
 #include "cli/heartbeat.h"
 #include "cli/inputs.h"
-#include "cli/judge.h"
 #include "cli/messages.h"
 #include "cli/streams.h"
 #include "core/files.h"
 #include "draw/sizes.h"
+#include "pipeline/out_folder.h"
 #include "preview/quick_look.h"
 #include "scene/specimen_cache.h"
 

@@ -6,15 +6,11 @@
 #include <new>
 #include <stdexcept>
 
-#include "cli/command_groups.h"
 #include "cli/commands.h"
-#include "cli/inputs.h"
-#include "cli/judge.h"
 #include "cli/messages.h"
 #include "cli/named.h"
 #include "cli/rendering.h"
 #include "cli/streams.h"
-#include "cli/versions.h"
 #include "cli/words.h"
 
 using namespace frond;

@@ -1,22 +1,118 @@
 #include "cli/measure.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <map>
 #include <optional>
 #include <string_view>
 
-#include "cli/film_frames.h"
 #include "core/files.h"
 #include "core/frame_name.h"
 #include "core/text.h"
+#include "images/raster.h"
 #include "render/place.h"
+#include "render/process.h"
 
 namespace frond {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+/// Reads until the buffer is full or nothing more comes; how much was read.
+std::size_t read_all(int file, std::uint8_t* data, std::size_t size) {
+  std::size_t got = 0;
+  while (got < size) {
+    ssize_t more = ::read(file, data + got, size - got);
+    if (more < 0 && errno == EINTR) continue;
+    if (more <= 0) break;
+    got += static_cast<std::size_t>(more);
+  }
+  return got;
+}
+
+/// The frames of a film, one after the other, as ffmpeg decodes them.
+class FilmFrames {
+ public:
+  /// `size` in pixels; `rate` is the film's own in frames a second, as ffmpeg writes it: each frame is given
+  /// once, whatever the film's clock says.
+  FilmFrames(const std::filesystem::path& film, std::array<int, 2> size, const std::string& rate);
+  ~FilmFrames();
+  FilmFrames(const FilmFrames&) = delete;
+  FilmFrames& operator=(const FilmFrames&) = delete;
+
+  /// The next frame; nothing at the end, and where there is none to be had, see errors().
+  std::optional<Raster> next();
+
+  /// Why the film ended, or did not begin, where it is damaged.
+  const Errors& errors() const { return errors_; }
+
+ private:
+  std::string name_;
+  std::array<int, 2> size_;
+  OutputCapture said_;
+  pid_t process_ = -1;
+  int file_ = -1;
+  Errors errors_;
+};
+
+FilmFrames::FilmFrames(const fs::path& film, std::array<int, 2> size, const std::string& rate)
+    : name_(film.string()), size_(size) {
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0) {
+    errors_ = {{"", std::strerror(errno)}};
+    return;
+  }
+  std::error_code error;
+  Command command;
+  command.words = {environment_or("FROND_FFMPEG", "ffmpeg"),
+                   "-hide_banner",
+                   "-nostdin",
+                   "-loglevel",
+                   "error",
+                   "-r",
+                   rate,
+                   "-i",
+                   "file:" + fs::absolute(film, error).string(),
+                   "-map",
+                   "0:v:0",
+                   "-sws_flags",
+                   "bicubic+accurate_rnd+full_chroma_int",
+                   "-f",
+                   "rawvideo",
+                   "-pix_fmt",
+                   "rgb24",
+                   "pipe:1"};
+  command.out = ends[1];
+  command.err = said_.descriptor();
+  Result<pid_t> process = start(command);
+  ::close(ends[1]);
+  file_ = ends[0];
+  if (process)
+    process_ = *process;
+  else
+    errors_ = process.errors();
+}
+
+FilmFrames::~FilmFrames() {
+  if (file_ >= 0) ::close(file_);
+  if (process_ >= 0) wait_for(process_);  // which ends, as nobody reads it
+}
+
+std::optional<Raster> FilmFrames::next() {
+  if (process_ < 0) return std::nullopt;
+  Raster raster(size_[0], size_[1], 3);
+  std::size_t got = read_all(file_, raster.data.data(), raster.data.size());
+  if (got == raster.data.size()) return raster;
+  int code = wait_for(process_);
+  process_ = -1;
+  if (code != 0 || got != 0) errors_ = {{"", name_ + " is damaged: " + said_.text()}};
+  return std::nullopt;
+}
 
 /// The number in the name of a frame's picture: 12 of "frame_0012.png"; 0 of any other name.
 int number_in_name(const std::string& name) {

@@ -5,22 +5,21 @@
 #include "cli/bar.h"
 #include "cli/commands.h"
 #include "cli/inputs.h"
-#include "cli/judge.h"
 #include "cli/messages.h"
-#include "cli/render_why.h"
 #include "cli/rendering.h"
 #include "cli/streams.h"
 #include "cli/terminal_events.h"
 #include "core/files.h"
 #include "core/frame_name.h"
 #include "core/parallel.h"
+#include "core/printable.h"
 #include "jobs/jobs.h"
 #include "pipeline/frame_times.h"
 #include "pipeline/out_folder.h"
 #include "pipeline/pace.h"
 #include "pipeline/render_film.h"
 #include "preset/json.h"
-#include "render/place.h"
+#include "render/ninja.h"
 
 // From a preset to a film: render.
 
@@ -92,6 +91,21 @@ void write_scenes(const RenderArguments& a, const fs::path& out, const std::stri
   fail_run({{"", fmt::format("frond ended with exit code {}", *status)}}, kCouldNot);
 }
 
+/// What of a call of `frond render` does not fit the film of its preset.
+Errors judge_render(const RenderArguments& a, const Film& film) {
+  if (Errors errors = refuse_resolving(film, a.resolve); !errors.empty()) return errors;
+  Result<FrameRange> range = read_frames(a.frames, film.frames, {1, film.frames});
+  if (!range) return range.errors();
+  if (a.why > 0 && (a.why < range->first || a.why > range->last))
+    return {{"--why", fmt::format("{} is no frame of this {}; expected {}-{}", a.why,
+                                  a.frames ? "run" : "film", range->first, range->last)}};
+  if (film.transparent() && a.format == "mp4")
+    return {{"--format", "an mp4 has no opacity; expected mov, webm, webp or gif"}};
+  if (!film.transparent() && a.format == "mov")
+    return {{"--format", "a mov is for a transparent film; expected mp4, webm, webp or gif"}};
+  return {};
+}
+
 /// Whether what is asked for can be made of the preset: before anything is grown. The preset is read for this
 /// alone, and is no longer in memory while frames are rendered.
 void judge(const RenderArguments& a, const fs::path& out) {
@@ -100,6 +114,53 @@ void judge(const RenderArguments& a, const fs::path& out) {
   or_fail_run(refuse_folder(out), kCouldNot);
   or_fail_run(a.plot ? refuse_file(*a.plot) : Errors{}, kCouldNot);
   or_fail_run(RenderPrograms::usual().missing(preset.film.frames > 1 && a.why == 0), kCouldNot);
+}
+
+/// The reason that ninja gives first; the others follow from it. Empty where there is none.
+std::string reason_told(const std::string& told, const std::string& name) {
+  auto says = [&](const std::string& words) { return told.find(words) != told.npos; };
+  std::string scene = name + ".pov", picture = name + ".png", older = "older than most recent input ";
+  if (says(scene) && says(" is missing"))
+    return "its scene " + scene + " is missing; the next run writes it again";
+  if (says(picture + " doesn't exist")) return "there is no picture of it";
+  if (says(older + scene)) return "its scene is newer than its picture";
+  if (says(older)) {
+    std::string rest = told.substr(told.find(older) + older.size());
+    return rest.substr(0, rest.find(" (")) + " is newer than its picture";
+  }
+  if (says("command line changed for " + picture))
+    return "its size, quality or flags are others than those it was rendered with";
+  if (says("command line not found in log")) return "nothing is noted of how its picture was rendered";
+  return says("no work to do") ? "" : told;
+}
+
+/// The first line that differs in two texts, as it was and as it is.
+void tell_change(const std::string& before, const std::string& now) {
+  std::vector<std::string> was = lines_of(before), is = lines_of(now);
+  was.resize(std::max(was.size(), is.size()));
+  is.resize(was.size());
+  auto [a, b] = std::ranges::mismatch(was, is);
+  if (a == was.end()) return;
+  constexpr std::size_t kMost = 100;
+  put(fmt::format("its scene has changed, from line {} on:\n  was: {}\n  is:  {}\n", a - was.begin() + 1,
+                  printable(a->substr(0, kMost)), printable(b->substr(0, kMost))));
+}
+
+/// Says why the next run in a folder would render a frame, or that it would not; `before` is the text that
+/// its scene had, of which the first line that has changed is shown, or empty.
+void tell_why(const Ninja& ninja, const fs::path& out, int frame, const std::string& before) {
+  std::string name = "frames/" + frame_name(frame);
+  std::string told = ninja.answer({"-d", "explain", "-n", name + ".png"});
+  if (told.find("unknown target") != told.npos)
+    fail_run({{"", fmt::format("frame {} is none of this film", frame)}}, kWrongInput);
+  std::string reason = reason_told(told, name);
+  if (reason.empty()) {
+    put(fmt::format("frame {} is up to date\n", frame));
+    return;
+  }
+  put(fmt::format("frame {} is rendered again: {}\n", frame, reason));
+  if (Result<std::string> now = read_file(out / (name + ".pov")); now && !before.empty())
+    tell_change(before, *now);
 }
 
 void render_into(const RenderArguments& a, const fs::path& out) {

@@ -1,7 +1,5 @@
 #include "cli/rendering.h"
 
-#include <memory>
-
 #include "cli/commands.h"
 
 namespace frond {

@@ -10,7 +10,6 @@
 #include "cli/commands.h"
 #include "cli/heartbeat.h"
 #include "cli/inputs.h"
-#include "cli/judge.h"
 #include "cli/messages.h"
 #include "cli/streams.h"
 #include "core/files.h"
@@ -23,6 +22,7 @@
 #include "images/png_samples.h"
 #include "images/raster.h"
 #include "images/tone.h"
+#include "pipeline/out_folder.h"
 #include "resolve/resolve.h"
 
 // Frames of raw ones: resolve.

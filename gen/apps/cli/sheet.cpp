@@ -8,7 +8,6 @@
 #include "cli/bar.h"
 #include "cli/commands.h"
 #include "cli/inputs.h"
-#include "cli/judge.h"
 #include "cli/messages.h"
 #include "cli/rendering.h"
 #include "cli/streams.h"
@@ -25,38 +24,34 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Result<std::vector<Sweep>> read_sweeps(const RenderArguments& a) {
+std::vector<Sweep> read_sweeps(const RenderArguments& a) {
   constexpr int kMost = 99;
+  auto wrong = [](const std::string& what) { fail_run({{"", what}}, kWrongInput); };
   std::vector<Sweep> sweeps;
   for (const std::string& text : a.sweeps) {
     std::optional<Sweep> sweep = read_sweep(text);
     if (!sweep)
-      return Error{
-          "", "--sweep needs POINTER=FROM:TO:COUNT, as in /organisms/0/pitch=10:60:6, not '" + text + "'"};
+      wrong("--sweep needs POINTER=FROM:TO:COUNT, as in /organisms/0/pitch=10:60:6, not '" + text + "'");
     sweeps.push_back(std::move(*sweep));
   }
   if (a.seeds) {
     int seeds = counting_number(*a.seeds);
     if (seeds < 1 || seeds > kMost)
-      return Error{"", fmt::format("--contact-seeds needs a number from 1 to 99, not '{}'", *a.seeds)};
+      wrong(fmt::format("--contact-seeds needs a number from 1 to 99, not '{}'", *a.seeds));
     sweeps.insert(sweeps.begin(), sweep_of("/seed", 1, seeds, seeds));
   }
-  if (sweeps.empty()) return Error{"", "over what? --sweep or --contact-seeds"};
-  if (sweeps.size() > 2) return Error{"", "a sheet has two directions, not three"};
+  if (sweeps.empty()) wrong("over what? --sweep or --contact-seeds");
+  if (sweeps.size() > 2) wrong("a sheet has two directions, not three");
   return sweeps;
 }
 
 /// Which frame the sheet shows: that of --frames, or the last.
-Result<int> frame_shown(const RenderArguments& a) {
-  if (!a.frames) {
-    Result<Preset> preset = load_preset(a.preset);
-    if (!preset) return preset.errors();
-    return preset->film.frames;
-  }
+int frame_shown(const RenderArguments& a) {
+  if (!a.frames) return or_fail_run(load_preset(a.preset), kWrongInput).film.frames;
   int frame = 0;
   std::from_chars(a.frames->data(), a.frames->data() + a.frames->size(), frame);
   if (frame < 1 || (*a.frames != fmt::format("{}", frame) && *a.frames != fmt::format("{0}-{0}", frame)))
-    return Error{"", fmt::format("--frames needs one frame, as in 40-40, not '{}'", *a.frames)};
+    fail_run({{"", fmt::format("--frames needs one frame, as in 40-40, not '{}'", *a.frames)}}, kWrongInput);
   return frame;
 }
 
@@ -101,8 +96,8 @@ Result<int> render_cell(const RenderArguments& a, const SheetCell& cell, int fra
 void sheet(const RenderArguments& a) {
   refuse_missing(a.preset);
   std::error_code error;
-  std::vector<Sweep> sweeps = or_fail_run(read_sweeps(a), kWrongInput);
-  int frame = or_fail_run(frame_shown(a), kWrongInput);
+  std::vector<Sweep> sweeps = read_sweeps(a);
+  int frame = frame_shown(a);
   fs::path out = fs::absolute(out_folder(a.out, a.preset, "-sheet"), error).lexically_normal();
   fs::path pictures = out / "pictures";
   std::vector<SheetCell> cells = cells_of(sweeps, pictures);

@@ -1,7 +1,6 @@
 #include "cli/streams.h"
 
 #include <fcntl.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <cerrno>

@@ -49,23 +49,19 @@ void open_by(const Doorway& doorway) {
 }  // namespace
 
 void studio(const StudioArguments& arguments) {
-  fs::path root = or_fail(home(), kCouldNot);
-  StudioOptions options{.home = root,
-                        .preset = {},
-                        .port = arguments.port,
-                        .memory = {},
-                        .assets = {},
-                        .bake = {.home = root, .cache = cache_folder() / "materials"},
-                        .ready = {}};
+  StudioOptions options;
+  options.home = or_fail(home(), kCouldNot);
+  options.port = arguments.port;
+  options.memory = arguments.memory << 20;
+  options.bake = {.home = options.home, .cache = cache_folder() / "materials"};
+  if (arguments.assets) options.assets = *arguments.assets;
   if (!arguments.preset.empty()) {
     // A file that is not there is told here; faults in it are the page's to show.
     std::error_code error;
-    if (!std::filesystem::is_regular_file(arguments.preset, error))
+    if (!fs::is_regular_file(arguments.preset, error))
       fail({Error{arguments.preset, "is no file" + nearest_presets(arguments.preset)}}, kWrongInput);
     options.preset = arguments.preset;
   }
-  options.memory = arguments.memory << 20;
-  if (arguments.assets) options.assets = *arguments.assets;
   std::optional<Doorway> doorway;
   options.ready = [&](const std::string& address) {
     put(address + "\n");

@@ -1,6 +1,7 @@
 #include "cli/terminal_events.h"
 
-#include <string>
+#include <fmt/format.h>
+#include <unistd.h>
 
 #include "cli/bar.h"
 #include "cli/streams.h"
@@ -13,6 +14,25 @@ namespace {
 constexpr double kSilence = 2;  // seconds
 
 }  // namespace
+
+Progress::Progress(std::string stage, int total, bool quiet)
+    : stage_(std::move(stage)), total_(total), quiet_(quiet), terminal_(::isatty(2) != 0) {}
+
+void Progress::step() {
+  std::lock_guard lock(mutex_);
+  int before = done_ * 10 / total_;
+  ++done_;
+  if (quiet_) return;
+  if (terminal_) {
+    put_words(fmt::format("\r{} {}/{}", stage_, done_, total_));
+  } else if (done_ * 10 / total_ > before) {
+    put_words(fmt::format("{} {}/{}\n", stage_, done_, total_));
+  }
+}
+
+Progress::~Progress() {
+  if (terminal_ && !quiet_ && done_ > 0) put_words("\n");
+}
 
 TerminalEvents::TerminalEvents(bool quiet) : quiet_(quiet), said_at_(seconds_now()), pause_(kSilence) {}
 

@@ -1,9 +1,9 @@
 #include "cli/traced_run.h"
 
 #include "cli/commands.h"
-#include "cli/judge.h"
 #include "cli/messages.h"
 #include "cli/streams.h"
+#include "pipeline/out_folder.h"
 
 namespace frond {
 

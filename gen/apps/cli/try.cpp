@@ -1,7 +1,6 @@
 #include <filesystem>
 
 #include "cli/browser.h"
-#include "cli/commands.h"
 #include "cli/inputs.h"
 #include "cli/messages.h"
 #include "cli/rendering.h"

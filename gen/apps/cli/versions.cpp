@@ -1,7 +1,6 @@
-#include "cli/versions.h"
-
 #include <fmt/format.h>
 
+#include "cli/words.h"
 #include "core/version.h"
 #include "render/process.h"
 
