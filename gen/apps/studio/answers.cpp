@@ -9,6 +9,7 @@
 #include "core/content.h"
 #include "grammar/symbols.h"
 #include "preset/keys.h"
+#include "scene/describe.h"
 
 namespace frond {
 

@@ -18,6 +18,7 @@
 #include "images/raster.h"
 #include "model/bytes.h"
 #include "preview/quick_look.h"
+#include "scene/describe.h"
 #include "studio/answers.h"
 
 namespace frond {

@@ -10,6 +10,7 @@
 #include "core/files.h"
 #include "core/parallel.h"
 #include "core/read_as.h"
+#include "preset/json.h"
 #include "render/process.h"
 #include "studio/answers.h"
 #include "studio/connections.h"
