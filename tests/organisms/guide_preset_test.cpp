@@ -50,8 +50,10 @@ TEST(GuidePreset, SkeletonsLeadByTheirMainWayFirst) {
   const char* text =
       "# a fork\r\n1 0 0 0 0 0.1 -1\r\n2 0 0 1 0 0.1 1\r\n3 0 1 2 0 0.02 2\r\n"
       "4 0 0 2 0 0.08 2\r\n5 0 0 3 0 0.05 4\r\n";
+  Result<GuideLines> fork = read_guide_file({"fork.swc", text, nullptr});
+  ASSERT_TRUE(fork);
   GuideText guide;
-  ASSERT_TRUE(load_guide({"fork.swc", text, nullptr}, guide).empty());
+  guide.lines = *fork;
   using Line = std::array<std::uint32_t, 2>;
   EXPECT_EQ(guide.lines.line, (std::vector<Line>{{0, 1}, {1, 3}, {3, 4}, {1, 2}}));
   EXPECT_EQ(guide.lines.place[2], DVec3(1, 2, 0));
@@ -61,14 +63,15 @@ TEST(GuidePreset, SkeletonsLeadByTheirMainWayFirst) {
   ASSERT_EQ(ready->roots.size(), 1u);
   EXPECT_EQ(ready->points[0].at, DVec3(0));
   EXPECT_EQ(ready->leaves(), 2u);
-  Errors wrong = load_guide({"fork.swc", "1 0 0 0 0 0.1 -1\n2 0 0 1 0 0.1 7\n", nullptr}, guide);
-  ASSERT_EQ(wrong.size(), 1u);
-  EXPECT_EQ(wrong[0].text(), "fork.swc: is a skeleton that cannot be read; `frond derive` of it says why");
+  Result<GuideLines> wrong = read_guide_file({"fork.swc", "1 0 0 0 0 0.1 -1\n2 0 0 1 0 0.1 7\n", nullptr});
+  ASSERT_EQ(wrong.errors().size(), 1u);
+  EXPECT_EQ(wrong.errors()[0].text(), "fork.swc: is a skeleton that cannot be read; `frond derive` of it says why");
   // By its ending, where the text itself does not tell.
-  EXPECT_EQ(load_guide({"short.swc", "1 0 0 0\n", nullptr}, guide).size(), 1u);
+  EXPECT_EQ(read_guide_file({"short.swc", "1 0 0 0\n", nullptr}).errors().size(), 1u);
   // Lines of an OBJ stay what they were.
-  ASSERT_TRUE(load_guide({"lines.obj", "v 0 0 0\nv 0 1 0\nl 1 2\n", nullptr}, guide).empty());
-  EXPECT_EQ(guide.lines.line, (std::vector<Line>{{0, 1}}));
+  Result<GuideLines> lines = read_guide_file({"lines.obj", "v 0 0 0\nv 0 1 0\nl 1 2\n", nullptr});
+  ASSERT_TRUE(lines);
+  EXPECT_EQ(lines->line, (std::vector<Line>{{0, 1}}));
 }
 
 }  // namespace
