@@ -65,7 +65,8 @@ TEST(GuidePreset, SkeletonsLeadByTheirMainWayFirst) {
   EXPECT_EQ(ready->leaves(), 2u);
   Result<GuideLines> wrong = read_guide_file({"fork.swc", "1 0 0 0 0 0.1 -1\n2 0 0 1 0 0.1 7\n", nullptr});
   ASSERT_EQ(wrong.errors().size(), 1u);
-  EXPECT_EQ(wrong.errors()[0].text(), "fork.swc: is a skeleton that cannot be read; `frond derive` of it says why");
+  EXPECT_EQ(wrong.errors()[0].text(),
+            "fork.swc: is a skeleton that cannot be read; `frond derive` of it says why");
   // By its ending, where the text itself does not tell.
   EXPECT_EQ(read_guide_file({"short.swc", "1 0 0 0\n", nullptr}).errors().size(), 1u);
   // Lines of an OBJ stay what they were.
