@@ -66,27 +66,32 @@ inline to_chars_result to_chars(char* first, char* last, float value) {
 
 namespace ranges {
 
+/// A test of what a projection makes of an item. Both may be members.
+template <class Test, class Projection>
+auto of_each(const Test& test, const Projection& projection) {
+  return [&](const auto& each) { return invoke(test, invoke(projection, each)); };
+}
+
 template <class Range, class Value, class Projection = identity>
 auto find(Range&& range, const Value& value, Projection projection = {}) {
   return find_if(begin(range), end(range),
                  [&](const auto& each) { return invoke(projection, each) == value; });
 }
-template <class Range, class Test>
-auto find_if(Range&& range, Test test) {
-  return std::find_if(begin(range), end(range), test);
+template <class Range, class Test, class Projection = identity>
+auto find_if(Range&& range, Test test, Projection projection = {}) {
+  return std::find_if(begin(range), end(range), of_each(test, projection));
 }
-template <class Range, class Test>
-bool all_of(Range&& range, Test test) {
-  return std::all_of(begin(range), end(range), test);
+template <class Range, class Test, class Projection = identity>
+bool all_of(Range&& range, Test test, Projection projection = {}) {
+  return std::all_of(begin(range), end(range), of_each(test, projection));
 }
 template <class Range, class Test, class Projection = identity>
 bool any_of(Range&& range, Test test, Projection projection = {}) {
-  return std::any_of(begin(range), end(range),
-                     [&](const auto& each) { return invoke(test, invoke(projection, each)); });
+  return std::any_of(begin(range), end(range), of_each(test, projection));
 }
-template <class Range, class Test>
-bool none_of(Range&& range, Test test) {
-  return std::none_of(begin(range), end(range), test);
+template <class Range, class Test, class Projection = identity>
+bool none_of(Range&& range, Test test, Projection projection = {}) {
+  return std::none_of(begin(range), end(range), of_each(test, projection));
 }
 template <class Range, class Value>
 void replace(Range&& range, const Value& from, const Value& to) {
@@ -106,25 +111,28 @@ template <class Range, class Value>
 void fill(Range&& range, const Value& value) {
   std::fill(begin(range), end(range), value);
 }
-template <class Range, class Value>
-auto count(Range&& range, const Value& value) {
-  return std::count(begin(range), end(range), value);
+template <class Range, class Value, class Projection = identity>
+auto count(Range&& range, const Value& value, Projection projection = {}) {
+  return std::count_if(begin(range), end(range),
+                       [&](const auto& each) { return invoke(projection, each) == value; });
 }
 template <class One, class Other, class Out>
 auto set_intersection(const One& one, const Other& other, Out to) {
   return std::set_intersection(one.begin(), one.end(), other.begin(), other.end(), to);
 }
-template <class Range, class Value>
-auto upper_bound(Range&& range, const Value& value) {
-  return std::upper_bound(begin(range), end(range), value);
+template <class Range, class Value, class Order = std::less<>, class Projection = identity>
+auto upper_bound(Range&& range, const Value& value, Order order = {}, Projection projection = {}) {
+  return std::upper_bound(begin(range), end(range), value, [&](const Value& sought, const auto& each) {
+    return invoke(order, sought, invoke(projection, each));
+  });
 }
 template <class Range, class Value>
 bool binary_search(Range&& range, const Value& value) {
   return std::binary_search(begin(range), end(range), value);
 }
-template <class Range, class Test>
-auto count_if(Range&& range, Test test) {
-  return std::count_if(begin(range), end(range), test);
+template <class Range, class Test, class Projection = identity>
+auto count_if(Range&& range, Test test, Projection projection = {}) {
+  return std::count_if(begin(range), end(range), of_each(test, projection));
 }
 template <class One, class Other, class Same>
 bool equal(One&& one, Other&& other, Same same) {
@@ -148,10 +156,6 @@ template <class Range, class Out>
 auto move(Range&& range, Out to) {
   return std::move(begin(range), end(range), to);
 }
-template <class Range>
-auto max(const Range& range) {
-  return *std::max_element(begin(range), end(range));
-}
 template <class Range, class Order = std::less<>, class Projection = identity>
 void sort(Range&& range, Order order = {}, Projection projection = {}) {
   std::sort(begin(range), end(range), [&](const auto& a, const auto& b) {
@@ -173,6 +177,14 @@ auto max_element(Range&& range, Order order = {}, Projection projection = {}) {
   return std::max_element(begin(range), end(range), [&](const auto& a, const auto& b) {
     return order(invoke(projection, a), invoke(projection, b));
   });
+}
+template <class Range, class Order = std::less<>, class Projection = identity>
+auto max(const Range& range, Order order = {}, Projection projection = {}) {
+  return *ranges::max_element(range, order, projection);
+}
+template <class Range, class Order = std::less<>, class Projection = identity>
+auto min(const Range& range, Order order = {}, Projection projection = {}) {
+  return *ranges::min_element(range, order, projection);
 }
 template <class Range, class Order = std::less<>, class Projection>
 void stable_sort(Range&& range, Order, Projection projection) {
