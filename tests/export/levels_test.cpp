@@ -129,7 +129,10 @@ TEST_P(LevelsOf, keep_the_box_the_silhouette_and_the_leaves_of_the_first) {
   for (std::size_t number = 1; number < 4; ++number) {
     Level level = level_of(exported, number, &first.box, &tones);
     std::string what = fmt::format("{} with {} pixels, level {}", name, texture, number);
-    const double most = number == 1 ? 0.1 : 0.25, side = number == 3 && texture > 0 ? 0.15 : most;
+    // Pictures of boughs differ more from one side than what is left of all leaves, and less on average.
+    const double near = texture > 0 ? 0.15 : 0.1;
+    const double most = number == 1 ? near : 0.25, side = number == 3 && texture > 0 ? 0.15 : most;
+    EXPECT_NEAR(sum(level.silhouette) / sum(first.silhouette), 1, 0.1) << what;
     double least = 9, largest = 0;
     for (std::size_t k = 0; k < 8; ++k) {
       least = std::min(least, level.silhouette[k] / first.silhouette[k]);
@@ -159,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(Trees, LevelsOf,
                          testing::Values(std::tuple{"birch", 0, 2.5e5, true},
                                          std::tuple{"birch", 128, 2.5e5, true},
                                          std::tuple{"spruce", 0, 2.5e5, true},
-                                         std::tuple{"spruce", 128, 4e4, true},
+                                         std::tuple{"spruce", 128, 8e4, true},
                                          std::tuple{"oak", 128, 8000.0, true}));
 
 INSTANTIATE_TEST_SUITE_P(GrownTrees, LevelsOf,
