@@ -129,8 +129,9 @@ TEST_P(LevelsOf, keep_the_box_the_silhouette_and_the_leaves_of_the_first) {
   for (std::size_t number = 1; number < 4; ++number) {
     Level level = level_of(exported, number, &first.box, &tones);
     std::string what = fmt::format("{} with {} pixels, level {}", name, texture, number);
-    // Pictures of boughs differ more from one side than what is left of all leaves, and less on average.
-    const double near = texture > 0 ? 0.15 : 0.1;
+    // Against all its needles the pictures of a young spruce's boughs differ more from one side, and less on
+    // average.
+    const double near = young && std::string_view(name) == "spruce" && texture > 0 ? 0.15 : 0.1;
     const double most = number == 1 ? near : 0.25, side = number == 3 && texture > 0 ? 0.15 : most;
     EXPECT_NEAR(sum(level.silhouette) / sum(first.silhouette), 1, 0.1) << what;
     double least = 9, largest = 0;

@@ -94,14 +94,13 @@ float larger_by(const Model& model, std::size_t which, int stride) {
   return static_cast<float>(std::sqrt(left > 0 ? whole / left : stride));
 }
 
-/// Adds one of `stride` organs of a prototype in place of all of them.
-void merge(CopyPart& part, const Model& model, std::size_t which, const FarShape& far, int stride,
-           const ModelBlocks* blocks, const Organs* now) {
+/// Adds organs of the model, or of what there is `now`, each `larger` than it is.
+void merge(CopyPart& part, const Model& model, std::size_t which, const FarShape& far,
+           const std::vector<std::size_t>& list, float larger, const ModelBlocks* blocks, const Organs* now) {
   Surface& out = part.surface;
   const Organs& o = now ? *now : model.organs;
   auto colors = static_cast<std::int32_t>(model.prototypes[which].colors.size());
-  const float larger = stride > 1 ? larger_by(model, which, stride) : 1;
-  for (std::size_t i : chosen(model, which, stride, now)) {
+  for (std::size_t i : list) {
     Seed own{o.id[i]};
     auto first = static_cast<std::uint32_t>(out.position.size());
     glm::mat3 frame = glm::mat3_cast(o.turn[i]), normals = frame;
@@ -150,9 +149,11 @@ std::vector<CopyPart> merged_organs(const Model& model, std::size_t which, const
       largest = of_part, stride = shapes.back().stride;
   }
   stride = std::min(std::max(stride, crowd), count);  // one is left at least
+  const std::vector<std::size_t> list = chosen(model, which, stride, now);
+  const float larger = stride > 1 ? larger_by(model, which, stride) : 1;
   for (std::size_t k = 0; k < parts.size(); ++k)
     if (prototype.parts[k].tissue != Tissue::dew)
-      merge(parts[k], model, which, shapes[k], stride, blocks, now);
+      merge(parts[k], model, which, shapes[k], list, larger, blocks, now);
   return parts;
 }
 
