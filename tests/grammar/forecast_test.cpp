@@ -88,6 +88,18 @@ TEST(Forecast, SaysAtLeastWhereOneStepOfTheDryRunIsTooMuch) {
   EXPECT_FALSE(refuse(forecast(grammar, 1, Seed{1}, {1000, 1 << 20}), {1000, 1 << 20}).empty());
 }
 
+TEST(Forecast, DoesNotGoOnAtTheRateOfABurst) {
+  // In step 5 the 81 modules become 116,640, and in the next two steps no more.
+  GrammarText text;
+  text.axiom = "A(4)";
+  text.rules = {{"A(n) : n > 0 -> A(n-1)A(n-1)A(n-1)"}, {"A(n) : n <= 0 -> Q(480)"}};
+  text.decomposition = {{"Q(n) : n > 0 -> FFFQ(n-1)"}, {"Q(n) : n <= 0 -> "}};
+  Grammar grammar = *compile(text);
+  Forecast predicted = forecast(grammar, 7, Seed{1});
+  EXPECT_EQ(predicted.modules, static_cast<double>(derive(grammar, 7, Seed{1})->size()));
+  EXPECT_EQ(predicted.kind, Forecast::Kind::exact);
+}
+
 TEST(Forecast, TellsHowManyStepsTakeAMoment) {
   // Each step adds a module, so all words together have a hundred thousand times as many as the last.
   for (const char* rule : {"A -> FA", "A(x) -> FA(x+1)", "A < A -> A"}) {

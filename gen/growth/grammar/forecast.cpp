@@ -185,7 +185,7 @@ void by_dry_run(const Grammar& grammar, int steps, Seed seed, const Limits& limi
     largest = std::max(largest, sizeof(SymbolId) + sizeof(double) * static_cast<double>(symbol.arity));
   int step = 0;
   std::size_t work = 0;
-  while (step < steps && now.modules < 1e5 && work < 4'000'000) {
+  while (step < steps && now.modules < 1e6 && work < 4'000'000) {
     Errors errors = advance(grammar, state, 1, seed, small);
     if (!errors.empty() && !errors[0].where.empty()) return forecast.trouble = std::move(errors), void();
     ++step;
