@@ -20,8 +20,8 @@ struct Forecast {
 };
 
 /// Predicts a derivation: exactly by the growth matrix if each symbol has one rule that always applies; as
-/// the mean if rules have fixed weights; otherwise from a dry run until a word has a million modules. If the last
-/// step exceeds the limits, the figures are lower bounds.
+/// the mean if rules have fixed weights; otherwise from a dry run until a word has a million modules. If the
+/// last step exceeds the limits, the figures are lower bounds.
 Forecast forecast(const Grammar& grammar, int steps, Seed seed, const Limits& limits = {});
 
 /// The reason to refuse the derivation: its trouble, or the figure and the step at which it exceeds the
