@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 // The public library, linked as others link it: what its header promises.
@@ -90,6 +92,32 @@ TEST_F(FrondApi, WritesTheFramesThatTheProgramWrites) {
   EXPECT_TRUE(fs::exists(folder_ / "frames/build.ninja"));
   EXPECT_THROW(api::write_frames(api::Preset::parse(kVase), folder_ / "x", {.frames = {{2, 4}}}),
                api::Failure);
+}
+
+/// A variable of the environment that has another value for a while.
+class Variable {
+ public:
+  Variable(const char* name, const char* value) : name_(name) {
+    if (const char* before = std::getenv(name)) before_ = before;
+    setenv(name, value, 1);
+  }
+  ~Variable() { before_ ? setenv(name_, before_->c_str(), 1) : unsetenv(name_); }
+
+ private:
+  const char* name_;
+  std::optional<std::string> before_;
+};
+
+TEST_F(FrondApi, AMissingProgramIsNoFaultOfTheInput) {
+  api::Preset preset = api::Preset::parse(kVase);
+  Variable home("FROND_HOME", folder_.c_str()), program("FROND_BIN", ""), path("PATH", "");
+  try {
+    api::write_frames(preset, folder_ / "frames");
+    FAIL() << "frames were written for a program that is not there";
+  } catch (const api::Failure& failure) {
+    EXPECT_NE(failure.messages().at(0).what.find("set FROND_BIN"), std::string::npos);
+    EXPECT_FALSE(failure.of_input());
+  }
 }
 
 /// Notes how many frames it was told of.

@@ -103,6 +103,38 @@ TEST(Polygon, LargeOnesAreCutToo) {
   expect_covered(in_a_plane(with_windows(60), Seed{4}), "windows through slits");
 }
 
+/// The least total length of the cuts of a convex outline between two of its corners, by trying all of them.
+double shortest_cuts(const std::vector<glm::dvec2>& flat, std::size_t from, std::size_t to) {
+  if (to < from + 2) return 0;
+  double least = 1e30;
+  for (std::size_t apex = from + 1; apex < to; ++apex) {
+    double cuts = shortest_cuts(flat, from, apex) + shortest_cuts(flat, apex, to);
+    if (apex > from + 1) cuts += glm::distance(flat[from], flat[apex]);
+    if (to > apex + 1) cuts += glm::distance(flat[apex], flat[to]);
+    least = std::min(least, cuts);
+  }
+  return least;
+}
+
+TEST(Polygon, CutsAreTheShortestOfAll) {
+  for (std::size_t corners = 4; corners <= 9; ++corners) {
+    std::vector<glm::dvec2> flat;
+    double outline = 0, sides = 0;
+    for (std::size_t i = 0; i < corners; ++i) {
+      double angle = 2 * kPi * (static_cast<double>(i) + Seed{corners}.child(i).range(0, 0.6)) /
+                     static_cast<double>(corners);
+      flat.emplace_back(3 * std::cos(angle), std::sin(angle));
+    }
+    for (std::size_t i = 0; i < corners; ++i) outline += glm::distance(flat[i], flat[(i + 1) % corners]);
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    ASSERT_TRUE(triangulate_polygon(in_a_plane(flat, Seed{corners}), triangles));
+    for (const auto& triangle : triangles)
+      for (std::size_t k = 0; k < 3; ++k)
+        sides += glm::distance(flat[triangle[k]], flat[triangle[(k + 1) % 3]]);
+    EXPECT_NEAR((sides - outline) / 2, shortest_cuts(flat, 0, corners - 1), 1e-6) << corners;
+  }
+}
+
 TEST(Polygon, AWallWithADoorKeepsItOpen) {
   Outline wall;
   for (glm::dvec2 p : {glm::dvec2(0, 0), {3, 0}, {3, 2}, {4, 2}, {4, 0}, {8, 0}, {8, 3}, {0, 3}})

@@ -73,6 +73,15 @@ TEST(Wood, SnowLiesOnWhatIsLevel) {
               0.02 * bare);
 }
 
+TEST(Wood, SnowWeighsTheSameWhicheverWayABranchPoints) {
+  Wood wood;
+  float east = bending_stress(straight(Vec3(2, 0.5f, 0), 10, 0.03f).limbs(), wood, {Vec3(0), 30})[1];
+  for (Vec3 way : {Vec3(0, 0.5f, 2), Vec3(0, 0.5f, -2), Vec3(1.2f, 0.5f, 1.6f)}) {
+    Beam beam = straight(way, 10, 0.03f);
+    EXPECT_NEAR(bending_stress(beam.limbs(), wood, {Vec3(0), 30})[1], east, 1e-4f * east);
+  }
+}
+
 /// Pipes of a hand-made fork: what parts there adds up.
 TEST(Wood, PipesAddUpAndStay) {
   Metamers t;

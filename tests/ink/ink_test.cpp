@@ -72,6 +72,15 @@ TEST(Ink, WhatLiesFartherBehindHasAWiderLine) {
   EXPECT_GT(before, 0.01);
 }
 
+TEST(Ink, WhereALineIsLeftOutThereIsNone) {
+  // Steps everywhere that are all alike: no cell has room for them.
+  InkSamples samples = disc(0);
+  for (std::size_t i = 0; i < samples.samples.size(); ++i)
+    if (InkSample& one = samples.samples[i]; one.depth > 0 && (i / 4 + i / (4 * 2 * kSide)) % 2 == 1)
+      one.depth += 0.05f, one.at.z -= 0.05f;
+  EXPECT_EQ(ink_within(ink_drawing(samples), 0, 30), 0);
+}
+
 TEST(Ink, WithoutPaperThereIsOnlyInk) {
   Grid ink = ink_drawing(disc(0.9f));
   Raster paper = ink_picture(ink, true), clear = ink_picture(ink, false);

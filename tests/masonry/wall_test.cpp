@@ -97,6 +97,19 @@ TEST(Wall, TakesOpeningsThatDoNotFit) {
   EXPECT_EQ(build_wall(shape, Seed{1}).mortar.find_fault(), "");
 }
 
+TEST(Wall, CopingLiesOnTheWallAndSpansNoGap) {
+  WallShape shape;
+  shape.openings = {{WallHole::gap, 0.5, 0, 1.0, shape.height}};
+  double top = std::round(shape.height / 0.075) * 0.075;
+  std::size_t coping = 0;
+  for (const WallBlock& b : build_wall(shape, Seed{1}).blocks) {
+    if (b.middle.y < top) continue;
+    ++coping;
+    EXPECT_GE(std::abs(b.middle.x - 0.5f), 0.5f);
+  }
+  EXPECT_GT(coping, 30u);
+}
+
 TEST(WornBlock, IsClosedAndFillsItsBox) {
   for (double wear : {0.0, 1.0}) {
     Surface block = worn_block(Vec3(0.23f, 0.065f, 0.115f), wear, Seed{2});

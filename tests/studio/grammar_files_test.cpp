@@ -48,6 +48,16 @@ TEST_F(GrammarFilesTest, AModelOfCpfgShowsItsFilesAndItsWord) {
   EXPECT_EQ(grammar_files(documents(), {{"file", "/etc/passwd"}}).status, 403);
 }
 
+TEST_F(GrammarFilesTest, AGrammarOfOneFileShowsThatAlone) {
+  (void)write_file(folder_ / "weed.ls", "axiom: F\nF -> F[+F]F\n");
+  (void)write_file(folder_ / "weed.json", "{}");
+  (void)write_file(folder_ / "specifications", "another program's");
+  Answer answer = grammar_files(documents(), {{"file", (folder_ / "weed.ls").string()}});
+  ASSERT_EQ(answer.status, 200);
+  ASSERT_EQ(answer.json["files"].size(), 1u);
+  EXPECT_EQ(answer.json["files"][0]["name"], "weed.ls");
+}
+
 TEST_F(GrammarFilesTest, AnEditedModelIsWrittenBesideThePresetAndTheFormerStays) {
   Documents d = documents();
   const std::string was = *read_file(lilac_);
