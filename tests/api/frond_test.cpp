@@ -94,6 +94,16 @@ TEST_F(FrondApi, WritesTheFramesThatTheProgramWrites) {
                api::Failure);
 }
 
+TEST_F(FrondApi, ResolvesByThePresetsOwnFileWhereItHasOne) {
+  fs::path file = folder_ / "mine.json";
+  std::ofstream(file) << kVase;
+  api::write_frames(api::Preset::read(file), folder_ / "read", {.frames = {{1, 1}}, .resolve = true});
+  api::write_frames(api::Preset::parse(kVase), folder_ / "parsed", {.frames = {{1, 1}}, .resolve = true});
+  EXPECT_FALSE(fs::exists(folder_ / "read/preset.json"));
+  EXPECT_NE(text_of(folder_ / "read/build.ninja").find("mine.json"), std::string::npos);
+  EXPECT_EQ(text_of(folder_ / "parsed/preset.json"), kVase);
+}
+
 /// A variable of the environment that has another value for a while.
 class Variable {
  public:

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "draw/bough_snow.h"
+#include "foliage/sprig.h"
 
 namespace frond {
 namespace {
@@ -143,6 +144,27 @@ TEST(BoughSnow, LiesOnWhatIsLevelAndNotOnWhatIsSteep) {
 TEST(BoughSnow, VanishesInTheWoodAsItMelts) {
   EXPECT_GT(height_on(0, 0.03f, 0.5), 0);
   EXPECT_LT(height_on(0, 0.03f, 0.99), 0);
+}
+
+/// Tufts on a level branch that bears twenty sprigs.
+std::size_t tufts_on(SprigKind kind) {
+  Specimen s = branch(0, 0.03f);
+  OrganPart part;
+  part.surface = sprig_surface({.kind = kind});
+  s.model.prototypes = {{"sprig", {part}, {Color{0, 1, 0}}, Color{0, 1, 0}}};
+  Organs& o = s.model.organs;
+  for (std::int32_t i = 1; i <= 20; ++i) {
+    auto node = static_cast<std::size_t>(i);
+    o.prototype.push_back(0), o.position.push_back(s.model.skeleton.position[node]);
+    o.turn.push_back(glm::angleAxis(1.2f, Vec3(1, 0, 0))), o.scale.push_back(Vec3(0.3f));
+    o.node.push_back(i), o.birth.push_back(0), o.color.push_back(0), o.id.push_back(static_cast<unsigned>(i));
+  }
+  return bough_snow(DrawList(s, 0), 0, 0.001).tufts.size();
+}
+
+TEST(BoughSnow, TuftsLieOnNeedlesAndNotOnAFlatLeaf) {
+  EXPECT_GE(tufts_on(SprigKind::needles), 10u);
+  EXPECT_EQ(tufts_on(SprigKind::feather), 0u);
 }
 
 TEST(BoughSnow, FacesOutward) {

@@ -114,6 +114,17 @@ TEST(CostEstimate, ReckonsRenderingByPixelsAndQuality) {
   }
 }
 
+TEST(CostEstimate, CountsPicturesByTheirPixels) {
+  auto bytes = [](const char* size) {
+    return estimate_of(preset_at("presets/staghorn.json", {std::string("/film/size=") + size})).picture_bytes;
+  };
+  EXPECT_NEAR(bytes("[640,360]"), 16 * bytes("[160,90]"), 1);
+  EXPECT_NEAR(bytes("[320,200]"), bytes("[200,320]"), 1);
+  // POV-Ray's PNG of 8 bits has 3 bytes a pixel before it is packed.
+  EXPECT_GT(bytes("[640,360]"), 0.5 * 640 * 360);
+  EXPECT_LT(bytes("[640,360]"), 3 * 640 * 360);
+}
+
 TEST(CostEstimate, RefusesWhatTheMemoryCannotHold) {
   Preset preset = preset_at("presets/lsystems/trees-2.8.json", {"/organisms/0/grammar/steps=14"});
   CostEstimate f = estimate_of(preset);
