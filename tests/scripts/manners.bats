@@ -70,6 +70,15 @@ setup() {
   done
 }
 
+@test "how far a run is renews one line on a terminal, and is a line for each tenth elsewhere" {
+  generate=("$FROND_BIN" generate "$ROOT/tests/presets/tiny_film.json")
+  "${generate[@]}" --out plain 2>words
+  grep -qx 'frames 5/6' words
+  [[ $(<words) != *$'\r'* ]]
+  python3 -c 'import pty, sys; sys.exit(pty.spawn(sys.argv[1:]))' "${generate[@]}" --out shown >words </dev/null
+  grep -q $'\rframes 5/6\rframes 6/6' words
+}
+
 @test "a copied checkout configures itself, not the one it was copied from" {
   mkdir -p bin one/build
   cp -r "$ROOT/scripts" one
