@@ -118,9 +118,8 @@ Preset& Preset::operator=(Preset other) {
 Preset::~Preset() = default;
 
 Preset Preset::read(const fs::path& file, const std::optional<fs::path>& assets) {
-  std::error_code error;
   std::optional<fs::path> shipped;
-  if (!fs::exists(file, error)) shipped = shipped_by_name(file.string());
+  if (!path_exists(file)) shipped = shipped_by_name(file.string());
   fs::path found = shipped.value_or(file);
   return Preset(data_of(or_throw(read_file(found)), found, true, assets));
 }

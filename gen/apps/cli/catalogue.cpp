@@ -16,7 +16,6 @@
 #include "organisms/kinds.h"
 #include "pipeline/pace.h"
 #include "preset/json.h"
-#include "scene/describe.h"
 #include "scene/scene.h"
 #include "scene/taxon.h"
 #include "settings/settings.h"

@@ -28,8 +28,7 @@ void upgrade(const std::string& path, const std::optional<std::string>& assets) 
 }
 
 void check_one(const PresetArguments& preset, bool upgrading) {
-  std::error_code error;
-  bool there = fs::exists(preset.path, error);
+  bool there = path_exists(preset.path);
   if (there && is_grammar(preset.path)) return check_grammar(preset);
   if (there && upgrading) upgrade(preset.path, preset.assets);
   Preset read = or_fail(load_preset(preset), kWrongInput);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "farm/hand_over.h"
 #include "images/tone.h"
 
 namespace frond {
@@ -152,15 +153,10 @@ struct TextureArguments {
 
 struct FarmArguments {
   PresetArguments preset;
-  std::string out;                       ///< folder; empty: out/<preset name>
-  std::optional<std::string> frames;     ///< A-B
-  std::string chunk = "4", bands = "8";  ///< frames a task; tasks of a still
-  std::optional<bool> resolve;           ///< as of RenderArguments, but never of a still in bands
-  std::optional<std::string> site;       ///< JSON file
-  std::optional<std::string> partition;  ///< of Slurm
-  std::optional<std::string> hosts;      ///< names with commas between them: over ssh, by GNU parallel
-  std::optional<std::string> openjd;     ///< file to write instead
-  std::optional<std::string> opencue;    ///< the same
+  FarmOrder order;                                    ///< without what is said by the others
+  std::string out;                                    ///< folder; empty: out/<preset name>
+  std::string chunk = "4", bands = "8";               ///< frames a task; tasks of a still
+  std::optional<std::string> site;                    ///< JSON file
   bool status = false, cancel = false, logs = false;  ///< instead, of what was handed over
 };
 

@@ -7,6 +7,7 @@
 #include "cli/measure.h"
 #include "cli/messages.h"
 #include "cli/streams.h"
+#include "core/files.h"
 #include "core/work_folder.h"
 #include "jobs/jobs.h"
 #include "render/label.h"
@@ -32,15 +33,13 @@ constexpr std::string_view kUnread = "webp";  // the format of films that ffmpeg
 
 /// The film or picture that a path stands for.
 Result<fs::path> found(const std::string& path) {
-  std::error_code error;
-  if (fs::is_directory(path, error)) {
+  if (is_folder(path)) {
     for (const std::string& name : result_files())
-      if (name != "contact.png" && name != film_file(kUnread) &&
-          fs::is_regular_file(fs::path(path) / name, error))
+      if (name != "contact.png" && name != film_file(kUnread) && is_file(fs::path(path) / name))
         return fs::path(path) / name;
     return Error{"", path + ": a folder without film or still"};
   }
-  if (!fs::is_regular_file(path, error)) return Error{"", path + ": no such film or picture"};
+  if (!is_file(path)) return Error{"", path + ": no such film or picture"};
   std::string type = fs::path(path).extension();
   auto is_its = [&](std::string_view format) {
     return format != kUnread && type == "." + std::string(format);
@@ -54,16 +53,9 @@ Result<fs::path> found(const std::string& path) {
 Errors describe(Side& side) {
   OutputCapture said;
   Command command;
-  command.words = {"ffprobe",
-                   "-v",
-                   "quiet",
-                   "-select_streams",
-                   "v:0",
-                   "-show_entries",
-                   "stream=width,height,r_frame_rate",
-                   "-of",
-                   "csv=p=0",
-                   "file:" + side.file.string()};
+  command.words = {"ffprobe", "-v", "quiet", "-select_streams", "v:0"};
+  command.add(
+      {"-show_entries", "stream=width,height,r_frame_rate", "-of", "csv=p=0", "file:" + side.file.string()});
   command.out = said.descriptor();
   Result<int> code = run(command);
   std::string text = said.text();
@@ -104,20 +96,17 @@ Errors make_comparison(const Side& a, const Side& b, const fs::path& out) {
   command.out = command.err = said.descriptor();
   command.words = {
       environment_or("FROND_FFMPEG", "ffmpeg"), "-hide_banner", "-nostdin", "-loglevel", "error", "-y"};
-  auto add = [&](std::initializer_list<std::string> list) {
-    command.words.insert(command.words.end(), list.begin(), list.end());
-  };
   for (const Side* side : {&a, &b}) {
-    if (film) add({"-r", a.rate});  // frame by frame, whatever their clocks say
-    add({"-i", "file:" + fs::absolute(side->file, error).string()});
+    if (film) command.add({"-r", a.rate});  // frame by frame, whatever their clocks say
+    command.add({"-i", "file:" + fs::absolute(side->file, error).string()});
   }
-  add({"-lavfi", graph(labels, film)});
+  command.add({"-lavfi", graph(labels, film)});
   if (film)
-    add({"-c:v", "libx264", "-preset", "medium", "-crf", "16", "-color_range", "tv", "-colorspace", "bt709",
-         "-color_primaries", "bt709", "-f", "mp4"});
+    command.add({"-c:v", "libx264", "-preset", "medium", "-crf", "16", "-color_range", "tv", "-colorspace",
+                 "bt709", "-color_primaries", "bt709", "-f", "mp4"});
   else
-    add({"-frames:v", "1", "-update", "1", "-c:v", "png", "-f", "image2"});
-  add({"file:" + part.string()});
+    command.add({"-frames:v", "1", "-update", "1", "-c:v", "png", "-f", "image2"});
+  command.add({"file:" + part.string()});
   Result<int> code = run(command);
   if (!code || *code != 0) {
     fs::remove(part, error);
@@ -170,9 +159,8 @@ void show_sides(const CompareArguments& arguments, const Side& a, const Side& b)
 }  // namespace
 
 void compare(const CompareArguments& arguments) {
-  std::error_code error;
   fs::path frames[2];
-  if (fs::is_directory(arguments.a, error) && fs::is_directory(arguments.b, error))
+  if (is_folder(arguments.a) && is_folder(arguments.b))
     for (std::size_t i = 0; i < 2; ++i) frames[i] = folder_of_frames(i == 0 ? arguments.a : arguments.b);
   bool of_frames = !frames[0].empty() && !frames[1].empty();
   Side sides[2];

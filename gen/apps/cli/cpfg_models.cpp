@@ -45,10 +45,8 @@ std::string measures(const CpfgFigure& figure) {
   for (const CpfgSegment& s : figure.segments) length += glm::distance(s.from, s.to);
   return fmt::format(
       "{{\"segments\": {}, \"total_length\": {}, \"end_position\": {}, \"end_heading\": {}, \"end_left\": "
-      "{}, "
-      "\"end_up\": {}, \"bbox\": [{}, {}], \"max_stack_depth\": {}, \"polygons\": {}, \"surfaces\": {}, "
-      "\"skins\": "
-      "{}, \"spheres\": {}, \"discs\": {}}}\n",
+      "{}, \"end_up\": {}, \"bbox\": [{}, {}], \"max_stack_depth\": {}, \"polygons\": {}, \"surfaces\": {}, "
+      "\"skins\": {}, \"spheres\": {}, \"discs\": {}}}\n",
       figure.segments.size(), length, list(figure.end), list(figure.end_heading), list(figure.end_left),
       list(figure.end_up), list(figure.low), list(figure.high), figure.max_stack_depth,
       figure.polygons.size(), figure.placed.size(), figure.skins.size(), figure.spheres.size(),

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstring>
 #include <functional>
 #include <vector>
@@ -75,12 +74,6 @@ struct Finding {
   int rank = 0;
 };
 
-std::string small(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 /// Parts of a thing, from that which tells most of it on.
 struct Part {
   std::string text;
@@ -133,7 +126,7 @@ std::string shown(const std::string& line, const std::string& word) {
   std::string text;
   for (char c : line)
     if (c != '`' && c != '*' && c != '#') text += c;
-  std::size_t at = std::min(small(text).find(singular(word)), text.size());
+  std::size_t at = std::min(lower_case(text).find(singular(word)), text.size());
   std::size_t from = at > kWidth / 2 ? text.find(' ', at - kWidth / 2) : 0;
   if (from == text.npos || from >= at) from = 0;
   std::size_t to = text.size() - from > kWidth ? text.rfind(' ', from + kWidth) : text.size();
@@ -156,10 +149,10 @@ std::vector<Finding> presets_about(const fs::path& home, const std::vector<std::
     std::string path = file.lexically_relative(home).string(), names = path.substr(path.find('/'));
     std::ranges::replace(names, '_', ' ');
     Finding one{path, title ? title->text : "", 0};
-    one.rank = rank_of({{small(names), 50},
-                        {small(one.says), 40},
-                        {small(names_of(document->root)), 20},
-                        {small(comments_of(*text)), 5}},
+    one.rank = rank_of({{lower_case(names), 50},
+                        {lower_case(one.says), 40},
+                        {lower_case(names_of(document->root)), 20},
+                        {lower_case(comments_of(*text)), 5}},
                        words);
     if (one.rank > 0) found.push_back(std::move(one));
   }
@@ -178,7 +171,7 @@ std::vector<Finding> pages_about(const fs::path& home, const std::vector<std::st
     Finding best{file.lexically_relative(home).string(), "", 0};
     for (const std::string& line : split(*text, '\n')) {
       bool heading = line.starts_with('#'), words_only = !line.empty() && !std::strchr("!<|", line[0]);
-      int rank = !words_only ? 0 : rank_of({{small(line), heading ? 40 : 10}}, words);
+      int rank = !words_only ? 0 : rank_of({{lower_case(line), heading ? 40 : 10}}, words);
       if (rank > best.rank) best.rank = rank, best.says = shown(line, words[0]);
     }
     if (best.rank > 0) found.push_back(std::move(best));
@@ -194,7 +187,7 @@ constexpr std::size_t kOthers = 6;  // presets, and pages
 /// The words that are asked for, in small letters.
 std::vector<std::string> asked_words(std::string asked) {
   std::ranges::replace(asked, '/', ' ');
-  std::vector<std::string> words = split(small(asked), ' ');
+  std::vector<std::string> words = split(lower_case(asked), ' ');
   std::erase(words, "");
   return words;
 }

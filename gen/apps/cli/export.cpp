@@ -21,10 +21,9 @@ Errors set_detail(const std::string& text, ExportOptions& options) {
   double least = pixels ? 20 : 100, most = pixels ? 1e4 : 1e9;
   std::optional<double> value = read_as<double>(number);
   if (!value || !(*value >= least && *value <= most))
-    return {Error{"--detail",
-                  fmt::format("\"{}\" is neither 100 to 1e9 triangles, as in 250000, nor 20 to 10000 pixels, "
-                              "as in 400px",
-                              text)}};
+    return {error_at(
+        "--detail",
+        "\"{}\" is neither 100 to 1e9 triangles, as in 250000, nor 20 to 10000 pixels, as in 400px", text)};
   options.detail = pixels ? detail_seen(*value) : *value;
   options.pixels = pixels ? *value : 0;
   return {};
@@ -70,13 +69,11 @@ void export_scene(const ExportArguments& arguments) {
                         .instances = arguments.instances,
                         .levels = arguments.levels};
   or_fail(set_detail(arguments.detail, options), kWrongInput);
-  int frame = arguments.frame == 0 ? film.frames : arguments.frame;
+  int frame = 0;
   if (arguments.frames)
     frame = or_fail(set_keys(*arguments.frames, arguments.keys, film, options), kWrongInput);
   or_fail(unfit(*format, arguments), kWrongInput);
-  if (frame < 1 || frame > film.frames)
-    fail({Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", frame, film.frames)}},
-         kWrongInput);
+  if (!arguments.frames) frame = or_fail(read_frame(arguments.frame, film.frames), kWrongInput);
   or_fail(refuse_file(arguments.out), kCouldNot);
   if (Result<std::filesystem::path> folder = home())
     options.bake = {.home = *folder, .cache = cache_folder() / "materials"};

@@ -92,11 +92,8 @@ void export_include(const ExportArguments& arguments) {
   Preset preset = or_fail(load_preset(arguments.preset), kWrongInput);
   if (!arguments.quiet) tell_notes(preset.notes);
   const Film& film = preset.film;
-  int last = arguments.frame == 0 ? film.frames : arguments.frame;
+  int last = or_fail(read_frame(arguments.frame, film.frames), kWrongInput);
   FrameRange range = or_fail(read_frames(arguments.frames, film.frames, {last, last}), kWrongInput);
-  if (range.last > film.frames)
-    fail({Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", last, film.frames)}},
-         kWrongInput);
   Result<CostEstimate> estimate = estimate_cost(preset, {range.first, range.last});
   Errors refused = estimate ? refuse(*estimate, this_machine(".")) : estimate.errors();
   or_fail(refused, kWrongInput);

@@ -43,14 +43,15 @@ bool are_hosts(const std::string& text) {
 
 /// What is wrong with the words of a call; empty where nothing is.
 std::string wrong_farm_words(const FarmArguments& a) {
-  for (const auto& [name, given] : {std::pair("--frames", &a.frames), std::pair("--site", &a.site),
-                                    std::pair("--partition", &a.partition), std::pair("--hosts", &a.hosts),
-                                    std::pair("--openjd", &a.openjd), std::pair("--opencue", &a.opencue)})
+  for (const auto& [name, given] :
+       {std::pair("--frames", &a.order.frames), std::pair("--site", &a.site),
+        std::pair("--partition", &a.order.partition), std::pair("--hosts", &a.order.hosts),
+        std::pair("--openjd", &a.order.openjd), std::pair("--opencue", &a.order.opencue)})
     if (*given && (*given)->empty()) return fmt::format("{} needs a value", name);
   for (const auto& [name, given] : {std::pair("--chunk", &a.chunk), std::pair("--bands", &a.bands)})
     if (count_of(*given) == 0) return fmt::format("{} needs a number from 1 on, not '{}'", name, *given);
-  if (a.hosts && !are_hosts(*a.hosts))
-    return fmt::format("--hosts needs names of machines with commas between them, not '{}'", *a.hosts);
+  if (a.order.hosts && !are_hosts(*a.order.hosts))
+    return fmt::format("--hosts needs names of machines with commas between them, not '{}'", *a.order.hosts);
   return {};
 }
 
@@ -76,14 +77,13 @@ std::string_view word_of(std::string_view state) {
 void show_status(const fs::path& farm) {
   fs::path job = farm / "latest";
   std::string text = farm_status(job);
-  std::error_code error;
   if (Result<std::string> jobs = read_file(job / "jobs"); jobs && find_program("squeue"))
     for (const auto& [state, count] : slurm_tasks(jobs_in(*jobs), "all"))
       if (std::string_view word = word_of(state); !word.empty())
         text += fmt::format("{} tasks are {}\n", count, word);
   put(text);
   for (const fs::path& note : files_in(job / "failed"))
-    if (fs::is_regular_file(note, error))
+    if (is_file(note))
       put(printable(fmt::format("{} failed: {}", note.filename().string(), first_words_of(note))) + "\n");
   for (const fs::path& result : results_of(farm))
     if (result.stem() == "film" || result.stem() == "still") put(result.filename().string() + " is there\n");
@@ -92,9 +92,8 @@ void show_status(const fs::path& farm) {
 void show_logs(const fs::path& farm) {
   constexpr std::size_t kLines = 20;
   std::string text;
-  std::error_code error;
   for (const fs::path& log : files_below(farm / "latest" / "log")) {
-    Result<std::string> said = fs::is_regular_file(log, error) ? read_file(log) : std::string();
+    Result<std::string> said = is_file(log) ? read_file(log) : std::string();
     if (!said || said->empty()) continue;
     std::vector<std::string> lines = lines_of(*said);
     text += fmt::format("{}==> {} <==\n", text.empty() ? "" : "\n", log.string());
@@ -105,8 +104,7 @@ void show_logs(const fs::path& farm) {
 }
 
 void look_at(const FarmArguments& a, const fs::path& farm) {
-  std::error_code error;
-  if (!fs::is_directory(farm / "latest", error))
+  if (!is_folder(farm / "latest"))
     fail_run({{"", farm.string() + ": no film was handed to a farm there"}}, kWrongInput);
   if (a.cancel && !a.status) return or_fail_run(cancel_farm(farm), kCouldNot);
   a.status ? show_status(farm) : show_logs(farm);
@@ -119,18 +117,13 @@ void farm(const FarmArguments& a) {
   refuse_missing(a.preset);
   fs::path out = out_folder(a.out, a.preset);
   if (a.status || a.cancel || a.logs) return look_at(a, farm_folder(out));
-  FarmOrder order{.file = a.preset.path,
-                  .assets = a.preset.assets,
-                  .out = out,
-                  .program = environment_or("FROND_BIN", own_program().string()),
-                  .frames = a.frames,
-                  .resolve = a.resolve,
-                  .chunk = count_of(a.chunk),
-                  .bands = count_of(a.bands),
-                  .partition = a.partition,
-                  .hosts = a.hosts,
-                  .openjd = a.openjd,
-                  .opencue = a.opencue};
+  FarmOrder order = a.order;
+  order.file = a.preset.path;
+  order.assets = a.preset.assets;
+  order.out = out;
+  order.program = environment_or("FROND_BIN", own_program().string());
+  order.chunk = count_of(a.chunk);
+  order.bands = count_of(a.bands);
   if (a.site) {
     Result<std::string> text = read_file(*a.site);
     order.site = or_fail(text ? read_farm_site(*text, *a.site) : text.errors(), kWrongInput);

@@ -55,9 +55,8 @@ Errors deliver(const fs::path& file, const fs::path& place) {
 /// Notes in the shared folder what was said of what failed; an empty text removes the note.
 void note_failure(const fs::path& folder, const std::string& name, const std::string& text) {
   fs::path note = folder / "failed" / name;
-  std::error_code error;
   if (text.empty())
-    fs::remove(note, error);
+    remove_file(note);
   else
     (void)write_file(note, text);
 }
@@ -143,9 +142,8 @@ void FarmTask::prepare(const std::string& name, std::vector<std::string> options
 void FarmTask::bring_models() {
   for (const fs::path& file : files_in(local_.path() / "frames")) {
     std::string name = file.filename();
-    std::error_code error;
     fs::path place = folder_ / "models" / name, claim = folder_ / "models" / ("." + name + ".claim");
-    if (name.starts_with("frame_") || fs::exists(place, error)) continue;
+    if (name.starts_with("frame_") || path_exists(place)) continue;
     std::FILE* claimed = std::fopen(claim.c_str(), "wxe");
     if (!claimed) continue;
     std::fclose(claimed);
@@ -157,9 +155,8 @@ Command FarmTask::frame(const Wanted& wanted, int threads, const OutputCapture& 
   Command command;
   command.words = {own_program().string(),           "frame", "frames/" + wanted.scene + ".pov",
                    "frames/" + wanted.name + ".png", size_,   "--"};
-  std::vector<std::string> flags = split(flags_, ' ');
-  command.words.insert(command.words.end(), flags.begin(), flags.end());
-  command.words.insert(command.words.end(), wanted.flags.begin(), wanted.flags.end());
+  command.add(split(flags_, ' '));
+  command.add(wanted.flags);
   command.environment = {fmt::format("FROND_THREADS={}", threads)};
   command.folder = local_.path();
   command.err = said.descriptor();
@@ -179,8 +176,7 @@ bool FarmTask::finished(const Wanted& wanted, int code, const std::string& said)
     tell_failure(errors);
     return false;
   }
-  std::error_code error;
-  fs::remove(made, error);
+  remove_file(made);
   note_failure(folder_, wanted.name, "");
   say(fmt::format("{}.png is done, on {}", wanted.name, host_));
   return true;
@@ -256,10 +252,9 @@ void FarmTask::band(int bands, int band) {
 void FarmTask::join(int bands, std::array<int, 2> size) {
   std::vector<std::string> pngs;
   bool damaged = false;
-  std::error_code error;
   for (int band = 1; band <= bands; ++band) {
     fs::path file = picture(band_name(band, bands));
-    if (!fs::exists(file, error))
+    if (!path_exists(file))
       fail_here(fmt::format("band {} of {} is missing; the same call of farm.sh renders it", band, bands));
     Result<std::string> png = whole_picture(file, size);
     if (png) {
@@ -268,7 +263,7 @@ void FarmTask::join(int bands, std::array<int, 2> size) {
     }
     say(fmt::format("frames/{} is damaged; the same call of farm.sh makes it again",
                     file.filename().string()));
-    fs::remove(file, error);
+    remove_file(file);
     damaged = true;
   }
   if (damaged) fail_here("the bands could not be joined");
@@ -281,11 +276,10 @@ void FarmTask::join(int bands, std::array<int, 2> size) {
 void FarmTask::film() {
   const Manifest manifest = or_fail_run(manifest_, kCouldNot);
   std::vector<std::string> results{film_file(film_format(manifest.transparent)), "contact.png"};
-  std::error_code error;
   if (manifest.still) {
     results = {"still.png"};
     int bands = bands_of(folder_);
-    if (bands > 0 && !fs::exists(picture(frame_name(1)), error)) join(bands, manifest.size);
+    if (bands > 0 && !path_exists(picture(frame_name(1)))) join(bands, manifest.size);
   }
   std::vector<int> lost;
   auto [first, last] = manifest.drawn();
@@ -310,7 +304,7 @@ void FarmTask::film() {
     for (const fs::path& file : files_in(folder_ / inside))
       if (file.filename().string().starts_with('.') &&
           (file.extension() == ".part" || file.extension() == ".claim"))
-        fs::remove(file, error);
+        remove_file(file);
   say(fmt::format("{}: done, on {}", fmt::join(results, " "), host_));
 }
 

@@ -12,14 +12,10 @@ namespace frond {
 
 namespace {
 
-bool is_number_above_zero(const std::string& text) { return read_as<double>(text).value_or(0) > 0; }
-
 Errors make(const FilmArguments& arguments, std::vector<std::filesystem::path> pictures) {
   std::string ffmpeg = environment_or("FROND_FFMPEG", "ffmpeg");
   std::filesystem::path file = arguments.file;
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error))
-    return {{"", arguments.file + " is a folder; expected a file, or none"}};
+  if (is_folder(file)) return {{"", arguments.file + " is a folder; expected a file, or none"}};
   if (arguments.columns > 0)
     return tile_sheet({std::move(pictures), file, arguments.columns, arguments.width, ffmpeg});
   if (file.extension() == ".png") return copy_picture(pictures[0], file, arguments.dpi);
@@ -34,7 +30,7 @@ void film(const FilmArguments& arguments) {
   std::vector<std::filesystem::path> pictures;
   for (std::string& line : lines_of(list)) pictures.emplace_back(std::move(line));
   if (pictures.empty()) fail_run({{arguments.list, "names no picture; expected one a line"}}, kWrongInput);
-  if (!is_number_above_zero(arguments.fps))
+  if (!(read_as<double>(arguments.fps).value_or(0) > 0))
     fail_run({{"--fps", "\"" + arguments.fps + "\" is no number above 0"}}, kWrongInput);
   or_fail_run(make(arguments, std::move(pictures)), kCouldNot);
 }

@@ -1,7 +1,5 @@
 #include "cli/flower_bed.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -62,15 +60,14 @@ Result<Drift> grown_drift(const std::string& name) {
       known.insert(one.taxon.names.begin(), one.taxon.names.end());
     }
     std::vector<std::string_view> views(known.begin(), known.end());
-    return Error{"--with",
-                 fmt::format("\"{}\" is no species, and no preset{}", name, expected_names(name, views))};
+    return error_at("--with", "\"{}\" is no species, and no preset{}", name, expected_names(name, views));
   }
   Drift drift{.species = fs::absolute(file, error).string(), .name = name};
   Result<std::string> text = read_file(file);
   Result<Preset> own = text ? read_preset(*text, file.string(), {}) : text.errors();
   if (!own) return own.errors();
   if (settings()[own->setup.setting].name == "underwater")
-    return Error{"--with", fmt::format("\"{}\" lives under water; expected what grows in a garden", name)};
+    return error_at("--with", "\"{}\" lives under water; expected what grows in a garden", name);
   // What is shipped is named as it is, whatever folder the bed will be in.
   std::string stem = file.stem().string();
   if (std::optional<fs::path> shipped = shipped_preset(stem);
@@ -80,15 +77,14 @@ Result<Drift> grown_drift(const std::string& name) {
   one.set("species", make_text(drift.species));
   Value whole = make_object().set("organisms", make_list({one}));
   Result<Preset> alone = read_preset(serialize(whole), "bed.json", {"/film/frames=1"});
-  if (!alone)
-    return Error{"--with", fmt::format("\"{}\" cannot stand alone: {}", name, alone.errors().front().what)};
+  if (!alone) return error_at("--with", "\"{}\" cannot stand alone: {}", name, alone.errors().front().what);
   Result<Scene> scene = build_scene(*alone);
   if (!scene) return scene.errors();
   Result<std::vector<GrownSize>> sizes = sizes_of(*scene, *alone, 0);
   if (!sizes) return sizes.errors();
   drift.height = sizes->front().height, drift.width = sizes->front().width;
   if (!(drift.height > 0 && drift.width > 0))
-    return Error{"--with", fmt::format("\"{}\" shows nothing at the end of its growth", name)};
+    return error_at("--with", "\"{}\" shows nothing at the end of its growth", name);
   drift.count = usual_count(drift.height);
   double radius = kCloseness * drift.width * std::sqrt(drift.count);  // were it round
   bool tree = drift.height >= kTree;  // whose crown reaches over what stands before it

@@ -156,8 +156,7 @@ void walk_turtle(const GrammarArguments& arguments) {
   for (DVec3 end : stats->end_positions) ends += (ends.empty() ? "" : ", ") + list(end);
   put(fmt::format(
       "{{\"segments\": {}, \"total_length\": {}, \"end_position\": {}, \"end_heading\": {}, \"end_left\": "
-      "{}, "
-      "\"end_up\": {}, \"bbox\": [{}, {}], \"max_stack_depth\": {}, \"polygons\": {}, "
+      "{}, \"end_up\": {}, \"bbox\": [{}, {}], \"max_stack_depth\": {}, \"polygons\": {}, "
       "\"turtles_at_end\": {}, \"end_positions\": [{}]}}\n",
       stats->segments, stats->total_length, list(stats->end_position), list(stats->end_heading),
       list(stats->end_left), list(stats->end_up), list(stats->low), list(stats->high), stats->max_stack_depth,

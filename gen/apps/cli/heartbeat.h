@@ -12,8 +12,6 @@ class Heartbeat {
  public:
   explicit Heartbeat(bool quiet = false);
   ~Heartbeat();
-  Heartbeat(const Heartbeat&) = delete;
-  Heartbeat& operator=(const Heartbeat&) = delete;
 
  private:
   void beat();

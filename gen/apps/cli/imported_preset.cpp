@@ -28,9 +28,6 @@ Value figure(double x) {
   return make_number(x);
 }
 Value place(DVec3 v) { return make_list({figure(v.x), figure(v.y), figure(v.z)}); }
-Value zeros(int count) {
-  return make_list(std::vector<Value>(static_cast<std::size_t>(count), make_number(0)));
-}
 
 /// How far from the middle of a box an eye on a side of it sees the whole box with a rim of a tenth.
 double distance_to_see(DVec3 size, DVec3 side) {
@@ -75,7 +72,8 @@ void write_imported(const ImportArguments& arguments, const ImportedPlant& plant
   Value title = make_text(fs::path(arguments.path).stem().string());
   Value film = make_object(), stand = make_object(), one = make_object(), preset = make_object();
   film.set("frames", make_number(1)).set("size", make_list({make_number(640), make_number(640)}));
-  stand.set("at", make_list({zeros(2)})).set("lean", make_number(0));
+  Value middle = make_list({make_number(0), make_number(0)});
+  stand.set("at", make_list({middle})).set("lean", make_number(0));
   stand.set("size_variation", make_number(0)).set("turn_variation", make_number(0));
   one.set("kind", make_text("plant")).set("name", title).set("place", stand);
   one.set("height", plant.measured ? make_number(0) : figure(size.y))

@@ -29,12 +29,11 @@ Result<std::string> scaled_size(const Film& film, double scale) {
   constexpr double kMost = 16;
   constexpr long kLargest = 16384;
   if (!(scale >= 1 && scale <= kMost))
-    return Error{"--scale",
-                 fmt::format("{} is no such factor; expected a number from 1 to {}", scale, kMost)};
+    return error_at("--scale", "{} is no such factor; expected a number from 1 to {}", scale, kMost);
   long width = std::lround(film.size[0] * scale), height = std::lround(film.size[1] * scale);
   if (std::max(width, height) > kLargest)
-    return Error{"--scale", fmt::format("pictures of {}x{} would be {}x{} pixels; expected {} at most",
-                                        film.size[0], film.size[1], width, height, kLargest)};
+    return error_at("--scale", "pictures of {}x{} would be {}x{} pixels; expected {} at most", film.size[0],
+                    film.size[1], width, height, kLargest);
   return fmt::format("/film/size=[{},{}]", width, height);
 }
 
@@ -74,44 +73,42 @@ Result<PixelRect> asked_crop(const std::string& asked, const std::array<int, 2>&
               (crop.width = consume_pixels(rest, size[0])) >= 0 && consume_sign(rest, "x") &&
               (crop.height = consume_pixels(rest, size[1])) >= 0 && rest.empty();
   if (!good)
-    return Error{"--crop",
-                 fmt::format("\"{}\" is no part of a picture; expected X,Y,WIDTHxHEIGHT in pixels or per "
-                             "cent, as in 10,20,300x200 or 25%,25%,50%x50%",
-                             asked)};
+    return error_at("--crop",
+                    "\"{}\" is no part of a picture; expected X,Y,WIDTHxHEIGHT in pixels or per cent, as in "
+                    "10,20,300x200 or 25%,25%,50%x50%",
+                    asked);
   if (crop.width < 1 || crop.height < 1 || crop.x + crop.width > size[0] || crop.y + crop.height > size[1])
-    return Error{"--crop",
-                 fmt::format("{},{},{}x{} pixels do not lie within the picture; expected a part of {}x{}",
-                             crop.x, crop.y, crop.width, crop.height, size[0], size[1])};
+    return error_at("--crop", "{},{},{}x{} pixels do not lie within the picture; expected a part of {}x{}",
+                    crop.x, crop.y, crop.width, crop.height, size[0], size[1]);
   return crop;
 }
 
 /// The size in pixels that `--print` and `--dpi` ask for, as what sets it; one side keeps the film's aspect.
 Result<std::string> printed_size(const PresetArguments& arguments, const Film& film) {
   if (arguments.size || arguments.scale)
-    return Error{"--print", fmt::format("says the size, as {} does; expected one of the two",
-                                        arguments.size ? "--size" : "--scale")};
+    return error_at("--print", "says the size, as {} does; expected one of the two",
+                    arguments.size ? "--size" : "--scale");
   std::string_view rest = *arguments.print;
   double first = consume_length(rest), second = consume_sign(rest, "x") ? consume_length(rest) : -1,
          unit = inches(rest);
   if (first == 0 || second == 0 || unit == 0)
-    return Error{"--print",
-                 fmt::format("\"{}\" is no size on paper; expected one as 20cm, 20x15cm, 150mm or 8in",
-                             *arguments.print)};
+    return error_at("--print", "\"{}\" is no size on paper; expected one as 20cm, 20x15cm, 150mm or 8in",
+                    *arguments.print);
   double dots = arguments.dpi.value_or(kUsualDpi) * unit;
   bool wide = film.size[0] >= film.size[1];
   double shape = film.aspect(), width = first, height = second;
   if (second < 0) width = wide ? first : first / shape, height = wide ? first * shape : first;
   width = std::round(width * dots), height = std::round(height * dots);
   if (!kSides.holds(width) || !kSides.holds(height))
-    return Error{"--print", fmt::format("found {}, {:g}x{:g} pixels; expected sides{}", *arguments.print,
-                                        width, height, range_text(kSides))};
+    return error_at("--print", "found {}, {:g}x{:g} pixels; expected sides{}", *arguments.print, width,
+                    height, range_text(kSides));
   return fmt::format("/film/size=[{:.0f},{:.0f}]", width, height);
 }
 
 /// Sets what the options say of how pictures are written; `film` has its size.
 Errors set_pictures(const PresetArguments& arguments, Film& film) {
   if (arguments.dpi && !kDpi.holds(*arguments.dpi))
-    return {{"--dpi", fmt::format("found {:g}; expected a number{}", *arguments.dpi, range_text(kDpi))}};
+    return {error_at("--dpi", "found {:g}; expected a number{}", *arguments.dpi, range_text(kDpi))};
   if (arguments.print || arguments.dpi) film.dpi = arguments.dpi.value_or(kUsualDpi);
   film.depth = arguments.depth.value_or(film.depth);
   if (!arguments.crop) return {};
@@ -131,18 +128,17 @@ bool is_grammar_text(const std::string& text) {
 /// The value of `--fps` or `--seconds`, as what sets it; of seconds the number of frames, at a film's rate.
 Result<std::string> asked_pace(const char* option, double asked, const char* pointer, double frames) {
   if (!(asked > 0) || !std::isfinite(asked))
-    return Error{option, fmt::format("found {}; expected a number above 0", asked)};
+    return error_at(option, "found {}; expected a number above 0", asked);
   if (!(frames <= 1e6))
-    return Error{option, fmt::format("{} would be {:.0f} frames; expected 1000000 at most", asked, frames)};
+    return error_at(option, "{} would be {:.0f} frames; expected 1000000 at most", asked, frames);
   return fmt::format("{}={}", pointer, frames);
 }
 
 /// The folder of `--assets`; empty: any file is read.
 Result<std::optional<fs::path>> assets_folder(const std::optional<std::string>& named) {
   if (!named) return std::optional<fs::path>{};
-  std::error_code error;
-  if (!fs::is_directory(*named, error))
-    return Error{"--assets", fmt::format("\"{}\" is no folder; expected one that may be read", *named)};
+  if (!is_folder(*named))
+    return error_at("--assets", "\"{}\" is no folder; expected one that may be read", *named);
   return std::optional<fs::path>(*named);
 }
 
@@ -153,9 +149,9 @@ Result<std::string> asked_size(const std::string& asked) {
   bool cross = consume_sign(rest, "x");
   int height = consume_whole(rest);
   if (!cross || width == 0 || height == 0 || !rest.empty())
-    return Error{"--size", fmt::format("\"{}\" is no size; expected WIDTHxHEIGHT, as in 640x360", asked)};
+    return error_at("--size", "\"{}\" is no size; expected WIDTHxHEIGHT, as in 640x360", asked);
   if (!kSides.holds(width) || !kSides.holds(height))
-    return Error{"--size", fmt::format("found {}; expected sides{}", asked, range_text(kSides))};
+    return error_at("--size", "found {}; expected sides{}", asked, range_text(kSides));
   return fmt::format("/film/size=[{},{}]", width, height);
 }
 
@@ -170,8 +166,7 @@ Result<std::string> asked_quality(const std::string& asked) {
 
 Result<fs::path> home() {
   fs::path path = home_folder();
-  std::error_code error;
-  if (fs::exists(path / "templates" / "frame.pov", error)) return path;
+  if (path_exists(path / "templates" / "frame.pov")) return path;
   return Error{path.string(), "holds no templates/frame.pov; set FROND_HOME to the folder of Frond"};
 }
 
@@ -199,8 +194,7 @@ std::string nearest_presets(const std::string& path) {
 }
 
 void refuse_missing(const PresetArguments& preset) {
-  std::error_code error;
-  if (!fs::is_regular_file(preset.path, error))
+  if (!is_file(preset.path))
     fail_run({{"", preset.path + ": no such preset" + nearest_presets(preset.path)}}, kWrongInput);
 }
 
@@ -227,8 +221,8 @@ Result<Upgrade> upgraded(const std::string& path, const std::optional<std::strin
 }
 
 Error old_form(const std::string& path) {
-  return {path, fmt::format("is of an earlier version; `frond check --upgrade {}` carries it over",
-                            shell_quoted(path))};
+  return error_at(path, "is of an earlier version; `frond check --upgrade {}` carries it over",
+                  shell_quoted(path));
 }
 
 Result<Preset> load_preset(const PresetArguments& arguments) {
@@ -236,8 +230,7 @@ Result<Preset> load_preset(const PresetArguments& arguments) {
   Result<std::string> text = read_file(arguments.path);
   if (!text) {
     Error error = text.errors().front();
-    std::error_code unknown;
-    if (!fs::exists(arguments.path, unknown)) error.what += nearest_presets(arguments.path);
+    if (!path_exists(arguments.path)) error.what += nearest_presets(arguments.path);
     return error;
   }
   Result<std::optional<fs::path>> only = assets_folder(arguments.assets);
@@ -257,9 +250,10 @@ Result<Preset> load_preset(const PresetArguments& arguments) {
   }
   Result<Preset> preset = read_preset(*text, arguments.path, sets, *only);
   if (!preset && is_grammar_text(*text))
-    return Error{arguments.path, fmt::format("is a grammar, no preset; `frond turtle {0} --svg` draws it, "
-                                             "`frond derive {0}` derives it, and the kind plant grows by it",
-                                             arguments.path)};
+    return error_at(arguments.path,
+                    "is a grammar, no preset; `frond turtle {0} --svg` draws it, `frond derive {0}` derives "
+                    "it, and the kind plant grows by it",
+                    arguments.path);
   if (preset && arguments.seconds) {
     double frames = std::max(1.0, std::round(*arguments.seconds * preset->film.fps));
     Result<std::string> set = asked_pace("--seconds", *arguments.seconds, "/film/frames", frames);

@@ -3,11 +3,9 @@
 #include <filesystem>
 
 #include "cli/commands.h"
-#include "cli/messages.h"
 #include "core/assets.h"
 #include "core/result.h"
 #include "pipeline/frame_range.h"
-#include "pipeline/pass_picture.h"
 #include "scene/preset.h"
 #include "scene/upgrade.h"
 

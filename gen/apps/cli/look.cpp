@@ -68,7 +68,7 @@ void look(const LookArguments& arguments) {
   int frame = or_fail(read_frame(arguments.frame, film.frames), kWrongInput);
   std::string out = out_file(arguments.out, arguments.preset, arguments.views ? "_views.png" : "_look.png");
   if (!out.ends_with(".png"))
-    fail({Error{"--out", fmt::format("{} has no known extension; expected .png", out)}}, kWrongInput);
+    fail({error_at("--out", "{} has no known extension; expected .png", out)}, kWrongInput);
   or_fail(refuse_file(out), kCouldNot);
   tell_notes(preset.notes);
   auto save = [&](const Raster& picture) {

@@ -301,8 +301,7 @@ int run(int count, char** words) {
   app.set_version_flag("--version", versions, "The versions of Frond, of its libraries and of POV-Ray");
   app.footer(
       "FROND_HOME is the folder that holds templates/, povinc/ and presets/, where that is not the one that "
-      "the "
-      "program was built in or is installed with.");
+      "the program was built in or is installed with.");
   for (auto add : {add_new,    add_describe, add_catalogue, add_check,   add_import,  add_studio,  add_try,
                    add_look,   add_info,     add_draw,      add_plan,    add_stand,   add_derive,  add_turtle,
                    add_render, add_sheet,    add_generate,  add_resolve, add_film,    add_compare, add_export,

@@ -42,8 +42,6 @@ class FilmFrames {
   /// once, whatever the film's clock says.
   FilmFrames(const std::filesystem::path& film, std::array<int, 2> size, const std::string& rate);
   ~FilmFrames();
-  FilmFrames(const FilmFrames&) = delete;
-  FilmFrames& operator=(const FilmFrames&) = delete;
 
   /// The next frame; nothing at the end, and where there is none to be had, see errors().
   std::optional<Raster> next();
@@ -69,24 +67,10 @@ FilmFrames::FilmFrames(const fs::path& film, std::array<int, 2> size, const std:
   }
   std::error_code error;
   Command command;
-  command.words = {environment_or("FROND_FFMPEG", "ffmpeg"),
-                   "-hide_banner",
-                   "-nostdin",
-                   "-loglevel",
-                   "error",
-                   "-r",
-                   rate,
-                   "-i",
-                   "file:" + fs::absolute(film, error).string(),
-                   "-map",
-                   "0:v:0",
-                   "-sws_flags",
-                   "bicubic+accurate_rnd+full_chroma_int",
-                   "-f",
-                   "rawvideo",
-                   "-pix_fmt",
-                   "rgb24",
-                   "pipe:1"};
+  command.words = {environment_or("FROND_FFMPEG", "ffmpeg"), "-hide_banner", "-nostdin", "-loglevel",
+                   "error"};
+  command.add({"-r", rate, "-i", "file:" + fs::absolute(film, error).string(), "-map", "0:v:0", "-sws_flags",
+               "bicubic+accurate_rnd+full_chroma_int", "-f", "rawvideo", "-pix_fmt", "rgb24", "pipe:1"});
   command.out = ends[1];
   command.err = said_.descriptor();
   Result<pid_t> process = start(command);
@@ -153,9 +137,8 @@ bool add_pictures(const fs::path& a, const fs::path& b, int number, std::array<i
     std::array<int, 2> own{pictures[i]->width, pictures[i]->height};
     if (size == std::array{0, 0}) size = own;
     if (own == size) continue;
-    measured.errors = {
-        {"", fmt::format("{} is of {}x{} pixels, {} of {}x{}; expected one size", file.string(), own[0],
-                         own[1], i == 0 ? "those before it" : a.string(), size[0], size[1])}};
+    measured.errors = {error_at("", "{} is of {}x{} pixels, {} of {}x{}; expected one size", file.string(),
+                                own[0], own[1], i == 0 ? "those before it" : a.string(), size[0], size[1])};
     return false;
   }
   measured.differ.add(*pictures[0], *pictures[1]);
@@ -192,7 +175,7 @@ Measured measure_frames(const fs::path& a, const fs::path& b) {
   int both = measured.differ.frames();
   measured.left_out = static_cast<int>(ours.size() + theirs.size()) - 2 * both;
   if (both == 0)
-    measured.errors = {{"", fmt::format("{} and {} have no frame of one number", a.string(), b.string())}};
+    measured.errors = {error_at("", "{} and {} have no frame of one number", a.string(), b.string())};
   return measured;
 }
 

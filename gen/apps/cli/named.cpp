@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/files.h"
 #include "core/home.h"
 #include "organisms/kinds.h"
 #include "scene/taxon.h"
@@ -22,11 +23,8 @@ std::string typed(const fs::path& file) {
 
 /// A file at that path, with or without its .json.
 std::optional<std::string> file_at(const std::string& word) {
-  std::error_code error;
   for (const std::string& path : {word, word + ".json"})
-    if (!word.empty() && word.find('\0') == word.npos && fs::exists(path, error) &&
-        !fs::is_directory(path, error))
-      return path;
+    if (!word.empty() && word.find('\0') == word.npos && path_exists(path) && !is_folder(path)) return path;
   return std::nullopt;
 }
 
@@ -34,10 +32,9 @@ std::optional<std::string> file_at(const std::string& word) {
 
 std::string preset_named(const std::string& word) {
   if (std::optional<std::string> own = file_at(word)) return *own;
-  std::error_code error;
   for (const auto& row : organism_kinds())
     if (fs::path file = home_folder() / "templates" / "new" / (word + ".json");
-        row.name == word && fs::is_regular_file(file, error))
+        row.name == word && is_file(file))
       return typed(file);
   std::optional<fs::path> shipped = shipped_by_name(word);
   return shipped ? typed(*shipped) : word;
@@ -45,10 +42,9 @@ std::string preset_named(const std::string& word) {
 
 std::string grammar_named(const std::string& word) {
   if (std::optional<std::string> own = file_at(word)) return *own;
-  std::error_code error;
   fs::path grammar = home_folder() / "presets" / "grammars" / (word + ".json");
   bool plain = !word.empty() && word.find('/') == word.npos && word.find('\0') == word.npos;
-  return plain && fs::is_regular_file(grammar, error) ? typed(grammar) : preset_named(word);
+  return plain && is_file(grammar) ? typed(grammar) : preset_named(word);
 }
 
 }  // namespace frond

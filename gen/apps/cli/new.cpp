@@ -157,27 +157,20 @@ void move_files(Value& value, const fs::path& from, const fs::path& to, const fs
 
 /// The file that a preset begins as: a kind's, or what preset_named() finds.
 Result<fs::path> find_beginning(const std::string& from, const fs::path& home) {
-  std::error_code error;
   std::vector<std::string> names;
   for (const auto& row : organism_kinds()) {
     names.emplace_back(row.name);
     if (row.name == from) return home / "templates" / "new" / (from + ".json");
   }
-  if (fs::path named = preset_named(from); fs::is_regular_file(named, error)) return named;
+  if (fs::path named = preset_named(from); is_file(named)) return named;
   for (const fs::path& file : files_below(home / "presets"))
     if (file.extension() == ".json" && !is_grammar(file.string())) names.push_back(file.stem().string());
   std::vector<std::string_view> views(names.begin(), names.end());
-  return Error{"--from",
-               fmt::format("\"{}\" is no kind, and no preset{}", from, expected_names(from, views))};
-}
-
-bool begins_as_kind(const std::string& from) {
-  return std::ranges::any_of(organism_kinds(), [&](const auto& row) { return row.name == from; });
+  return error_at("--from", "\"{}\" is no kind, and no preset{}", from, expected_names(from, views));
 }
 
 Result<Value> read_beginning(const fs::path& file, const std::string& kind) {
-  std::error_code error;
-  if (!fs::exists(file, error))  // a kind that nobody wrote a beginning for
+  if (!path_exists(file))  // a kind that nobody wrote a beginning for
     return make_object().set("organisms", make_list({make_object().set("kind", make_text(kind))}));
   Result<std::string> text = read_file(file);
   if (!text) return text.errors();
@@ -205,7 +198,9 @@ void new_preset(const NewArguments& arguments) {
              make_text(fs::proximate(root / "docs" / "preset.schema.json", folder, error).generic_string()));
   preset.set("title", make_text(path.stem().string()));
   // What begins as a preset that is there grows as that does; what begins as a kind, by the rules of today.
-  if (bed || begins_as_kind(arguments.from)) preset.set("version", make_number(kPresetVersion));
+  bool from_kind =
+      std::ranges::any_of(organism_kinds(), [&](const auto& row) { return row.name == arguments.from; });
+  if (bed || from_kind) preset.set("version", make_number(kPresetVersion));
   preset.set("seed", make_number(1));
   for (Member& member : read.members)
     if (member.name != "$schema" && member.name != "title") preset.set(member.name, std::move(member.value));

@@ -115,18 +115,9 @@ class Albedo {
     Command command;
     command.out = command.err = said.descriptor();
     command.environment = {fmt::format("FROND_THREADS={}", thread_count())};
-    command.words = {own_program().string(),
-                     "frame",
-                     scene,
-                     picture,
-                     fmt::format("{}x{}", passes.width, passes.height),
-                     "--",
-                     "+Q1",
-                     "-A",
-                     "-J",
-                     "+FN16",
-                     "File_Gamma=1.0",
-                     "Declare=Frond_Albedo=1"};
+    command.words = {own_program().string(), "frame", scene, picture};
+    command.add({fmt::format("{}x{}", passes.width, passes.height), "--", "+Q1", "-A", "-J", "+FN16",
+                 "File_Gamma=1.0", "Declare=Frond_Albedo=1"});
     if (or_fail(run(command), kCouldNot) != 0)
       fail({{"", "POV-Ray could not draw the colours: " + said.text()}}, kCouldNot);
     LinearRaster raster = or_fail(read_linear_png(or_fail(read_file(picture), kCouldNot)), kCouldNot);

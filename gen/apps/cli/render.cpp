@@ -88,7 +88,7 @@ void write_scenes(const RenderArguments& a, const fs::path& out, const std::stri
   if (*status == kDone) return;
   if (*status == kCouldNot || *status == kWrongInput) throw CommandEnd{*status};
   if (*status == kInterrupted || *status == kKilled + SIGTERM) interrupted();
-  fail_run({{"", fmt::format("frond ended with exit code {}", *status)}}, kCouldNot);
+  fail_run({error_at("", "frond ended with exit code {}", *status)}, kCouldNot);
 }
 
 /// What of a call of `frond render` does not fit the film of its preset.
@@ -97,8 +97,8 @@ Errors judge_render(const RenderArguments& a, const Film& film) {
   Result<FrameRange> range = read_frames(a.frames, film.frames, {1, film.frames});
   if (!range) return range.errors();
   if (a.why > 0 && (a.why < range->first || a.why > range->last))
-    return {{"--why", fmt::format("{} is no frame of this {}; expected {}-{}", a.why,
-                                  a.frames ? "run" : "film", range->first, range->last)}};
+    return {error_at("--why", "{} is no frame of this {}; expected {}-{}", a.why, a.frames ? "run" : "film",
+                     range->first, range->last)};
   if (film.transparent() && a.format == "mp4")
     return {{"--format", "an mp4 has no opacity; expected mov, webm, webp or gif"}};
   if (!film.transparent() && a.format == "mov")
@@ -152,7 +152,7 @@ void tell_why(const Ninja& ninja, const fs::path& out, int frame, const std::str
   std::string name = "frames/" + frame_name(frame);
   std::string told = ninja.answer({"-d", "explain", "-n", name + ".png"});
   if (told.find("unknown target") != told.npos)
-    fail_run({{"", fmt::format("frame {} is none of this film", frame)}}, kWrongInput);
+    fail_run({error_at("", "frame {} is none of this film", frame)}, kWrongInput);
   std::string reason = reason_told(told, name);
   if (reason.empty()) {
     put(fmt::format("frame {} is up to date\n", frame));

@@ -132,13 +132,10 @@ void add_render(CLI::App& app) {
   add_sweeps(command, *to);
   command->footer(
       "Leaves DIR/film.mp4 and DIR/contact.png, or DIR/still.png where the preset is a still. Renders only "
-      "what\n"
-      "changed: interrupted or killed at any moment and run again it goes on where it stopped, also within "
-      "a\n"
-      "picture. The files made are named on stdout, all else goes to stderr.\n\n"
+      "what\nchanged: interrupted or killed at any moment and run again it goes on where it stopped, also "
+      "within a\npicture. The files made are named on stdout, all else goes to stderr.\n\n"
       "Exit codes: 0 done, 1 could not (disk, POV-Ray), 2 wrong input, 130 interrupted. NO_COLOR=1 keeps "
-      "messages\n"
-      "plain. FROND_POVRAY and FROND_FFMPEG name other programs than povray and ffmpeg.\n\n"
+      "messages\nplain. FROND_POVRAY and FROND_FFMPEG name other programs than povray and ffmpeg.\n\n"
       "Examples:\n  frond render presets/reef.json\n"
       "  frond render presets/reef.json --frames 1-48 --size 320x180 --quality draft -o out/check\n"
       "  frond render presets/reef.json --size 1280x720 --quality best --set /seed=8 -o out/reef-8\n"
@@ -155,10 +152,8 @@ void add_sheet(CLI::App& app) {
   add_sweeps(command, *to);
   command->footer(
       "Leaves DIR/sheet.png. Two of --sweep and --contact-seeds make a grid, the first from left to right. "
-      "Of a\n"
-      "film it takes the last frame, or that of --frames N-N. Pictures are kept in DIR/pictures: the next "
-      "sheet\n"
-      "renders only those that it does not find there.\n\n"
+      "Of a\nfilm it takes the last frame, or that of --frames N-N. Pictures are kept in DIR/pictures: the "
+      "next sheet\nrenders only those that it does not find there.\n\n"
       "Examples:\n  frond sheet presets/trees/oak.json --contact-seeds 9 --size 320x240 --quality draft\n"
       "  frond sheet presets/thicket.json --sweep /organisms/0/pitch=10:60:6 --sweep "
       "/organisms/0/steps=2:4:3");
@@ -175,13 +170,10 @@ void add_compare(CLI::App& app) {
   command->add_flag("--json", to->json, "For machines");
   command->footer(
       "All in steps of 255 of sRGB values: error is the root mean square difference over pixels, channels "
-      "and\n"
-      "frames, maximum the greatest; share_beyond_8 is the share of pixels off by more than 8 in a channel.\n"
-      "Of films, flicker is the root mean square, over pixels and channels, of the standard deviation over "
-      "time\n"
-      "of A - B. Where both are folders with frames/frame_*.png, or frame_*.png, the figures are of those "
-      "that\n"
-      "both have.\n\n"
+      "and\nframes, maximum the greatest; share_beyond_8 is the share of pixels off by more than 8 in a "
+      "channel.\nOf films, flicker is the root mean square, over pixels and channels, of the standard "
+      "deviation over time\nof A - B. Where both are folders with frames/frame_*.png, or frame_*.png, the "
+      "figures are of those that\nboth have.\n\n"
       "Exit codes: 0 done, 1 could not (damaged), 2 wrong input (two sizes, a picture and a film).\n\n"
       "Examples:\n  frond compare out/reef out/reef-8 both.mp4\n  frond compare out/reef out/reef-8 --json");
 }
@@ -197,10 +189,8 @@ void add_task(CLI::App& app) {
   command->add_option("words", to->words, "FIRST LAST CHUNK [TASK], or N [TASK]");
   command->footer(
       "Renders the TASK-th CHUNK of frames FIRST to LAST, or the TASK-th of N bands of a still, or makes the "
-      "film of\n"
-      "what is rendered. Without TASK it is $SLURM_ARRAY_TASK_ID. It may be run again, anywhere, at any "
-      "time, also\n"
-      "twice at once: what is finished is skipped.");
+      "film of\nwhat is rendered. Without TASK it is $SLURM_ARRAY_TASK_ID. It may be run again, anywhere, at "
+      "any time, also\ntwice at once: what is finished is skipped.");
 }
 
 void add_farm(CLI::App& app) {
@@ -211,30 +201,27 @@ void add_farm(CLI::App& app) {
   add_pictures(command, to->preset);
   command->add_option("-o,--out", to->out,
                       "DIR: where to (out/<preset name>), on a disk that all machines see");
-  command->add_option("--frames", to->frames, "A-B: only these frames");
-  command->add_option("--partition", to->partition, "P: where the jobs go");
+  command->add_option("--frames", to->order.frames, "A-B: only these frames");
+  command->add_option("--partition", to->order.partition, "P: where the jobs go");
   command->add_option("--site", to->site,
                       "FILE: what this site's farm needs, JSON: partition, account, qos, cpus, memory, "
                       "minutes, modules, options");
   command->add_option("--chunk", to->chunk, "N: frames a task (4)");
   command->add_option("--bands", to->bands, "N: tasks of a still (8)");
-  add_resolving(command, to->resolve);
-  command->add_option("--hosts", to->hosts,
+  add_resolving(command, to->order.resolve);
+  command->add_option("--hosts", to->order.hosts,
                       "A,B,...: renders over ssh on these machines instead, by GNU parallel, and waits");
-  command->add_option("--openjd", to->openjd,
+  command->add_option("--openjd", to->order.openjd,
                       "FILE: writes an Open Job Description template instead (jobtemplate-2023-09)");
-  command->add_option("--opencue", to->opencue, "FILE: writes a job for OpenCue instead (CJSL 1.15)");
+  command->add_option("--opencue", to->order.opencue, "FILE: writes a job for OpenCue instead (CJSL 1.15)");
   command->add_flag("--status", to->status, "Says how far the film is");
   command->add_flag("--cancel", to->cancel, "Ends its jobs");
   command->add_flag("--logs", to->logs, "Prints the ends of their logs");
   command->footer(
       "A job array of Slurm renders the frames, a job that waits for them leaves DIR/film.mp4 and "
-      "DIR/contact.png,\n"
-      "or DIR/still.png, which is rendered in bands. The same call again goes on where a farm was stopped: "
-      "what is\n"
-      "finished is not rendered again. FROND_BIN, FROND_POVRAY, FROND_FFMPEG and FROND_UNCONFINED are handed "
-      "on to the\n"
-      "tasks. See docs/farm.md.\n\n"
+      "DIR/contact.png,\nor DIR/still.png, which is rendered in bands. The same call again goes on where a "
+      "farm was stopped: what is\nfinished is not rendered again. FROND_BIN, FROND_POVRAY, FROND_FFMPEG and "
+      "FROND_UNCONFINED are handed on to the\ntasks. See docs/farm.md.\n\n"
       "Examples:\n  frond farm presets/reef.json --partition render --size 1920x1080 --quality good\n"
       "  frond farm presets/reef.json --hosts anna,berta,clara --frames 1-48\n"
       "  frond farm presets/reef.json --status");
@@ -253,16 +240,13 @@ void add_gallery(CLI::App& app) {
                     "Renders nothing: names the pictures whose scenes are not what they show");
   command->footer(
       "docs/gallery/pictures.txt says which there are, and which are large ones; further ones are "
-      "example-NAME, of each\n"
-      "scene in docs/examples, and grammars. Interrupted and run again it goes on where it stopped. "
-      "docs/gallery.md lists\n"
-      "them with the seconds of processor that POV-Ray took, here or where they were rendered last.\n\n"
+      "example-NAME, of each\nscene in docs/examples, and grammars. Interrupted and run again it goes on "
+      "where it stopped. docs/gallery.md lists\nthem with the seconds of processor that POV-Ray took, here "
+      "or where they were rendered last.\n\n"
       "docs/gallery/scenes.txt keeps a hash of the scene of each picture as it was rendered. --stale writes "
-      "the "
-      "scenes\n"
-      "anew and names, a line each, the pictures whose hash is another or not there; large ones as "
-      "large/NAME. What it has\n"
-      "found it keeps in --out, so that nothing is written twice for the same program and preset.\n\n"
+      "the scenes\nanew and names, a line each, the pictures whose hash is another or not there; large ones "
+      "as large/NAME. What it has\nfound it keeps in --out, so that nothing is written twice for the same "
+      "program and preset.\n\n"
       "Examples:\n  frond gallery reef tree-oak\n  frond gallery $(frond gallery --stale)");
 }
 

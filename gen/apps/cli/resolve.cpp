@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +22,7 @@
 #include "images/raster.h"
 #include "images/tone.h"
 #include "pipeline/out_folder.h"
+#include "pipeline/pass_picture.h"
 #include "resolve/resolve.h"
 
 // Frames of raw ones: resolve.
@@ -53,7 +53,7 @@ LightPicture light_of(const LinearRaster& raster) {
 
 Error wrong_size(const fs::path& file, int width, int height, const Film& film) {
   auto [wide, high] = film.drawn_size();
-  return {file.string(), fmt::format("is {}x{}; expected {}x{}", width, height, wide, high)};
+  return error_at(file.string(), "is {}x{}; expected {}x{}", width, height, wide, high);
 }
 
 /// The light of a raw frame's file.
@@ -124,9 +124,8 @@ PngSamples seen_rows(const LightPicture& light, int first, const Film& film, con
 /// Raw frames that are not there.
 Errors missing_raws(const fs::path& folder, FrameRange range) {
   Errors errors;
-  std::error_code error;
   for (int frame = range.first; frame <= range.last; ++frame)
-    if (fs::path file = folder / (frame_name(frame) + ".png"); !fs::exists(file, error))
+    if (fs::path file = folder / (frame_name(frame) + ".png"); !path_exists(file))
       errors.push_back({file.string(), "is not there; `frond generate --resolve` and POV-Ray make it"});
   return errors;
 }

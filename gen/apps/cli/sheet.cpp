@@ -51,7 +51,7 @@ int frame_shown(const RenderArguments& a) {
   int frame = 0;
   std::from_chars(a.frames->data(), a.frames->data() + a.frames->size(), frame);
   if (frame < 1 || (*a.frames != fmt::format("{}", frame) && *a.frames != fmt::format("{0}-{0}", frame)))
-    fail_run({{"", fmt::format("--frames needs one frame, as in 40-40, not '{}'", *a.frames)}}, kWrongInput);
+    fail_run({error_at("", "--frames needs one frame, as in 40-40, not '{}'", *a.frames)}, kWrongInput);
   return frame;
 }
 
@@ -63,11 +63,11 @@ Errors judge_cells(const RenderArguments& a, const std::vector<SheetCell>& cells
     Result<Preset> read = load_preset(preset);
     Errors errors = read ? refuse_resolving(read->film, a.resolve) : read.errors();
     if (errors.empty() && frame > read->film.frames)
-      errors = {{"--frames",
-                 fmt::format("{} is no frame of this film; expected one of 1-{}", frame, read->film.frames)}};
+      errors = {error_at("--frames", "{} is no frame of this film; expected one of 1-{}", frame,
+                         read->film.frames)};
     if (errors.empty()) continue;
-    errors.push_back({"", fmt::format("picture {} of {} ({}) could not be made; none has been begun", i + 1,
-                                      cells.size(), cells[i].text)});
+    errors.push_back(error_at("", "picture {} of {} ({}) could not be made; none has been begun", i + 1,
+                              cells.size(), cells[i].text));
     return errors;
   }
   return {};
@@ -110,8 +110,8 @@ void sheet(const RenderArguments& a) {
     say(fmt::format("Picture {} of {}: {}", i + 1, cells.size(), cells[i].text));
     Result<int> code = render_cell(a, cells[i], frame);
     if (!code || *code != 0)
-      fail_run({{"", fmt::format("picture {} of {} ({}) could not be made; those before it are kept", i + 1,
-                                 cells.size(), cells[i].text)}},
+      fail_run({error_at("", "picture {} of {} ({}) could not be made; those before it are kept", i + 1,
+                         cells.size(), cells[i].text)},
                code ? static_cast<ExitCode>(*code) : kCouldNot);
   }
   or_fail_run(make_sheet(cells, frame, columns_of(sweeps), out / "sheet.png"), kCouldNot);

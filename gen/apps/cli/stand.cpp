@@ -1,12 +1,11 @@
-#include <fmt/format.h>
 
+#include "scene/stand.h"
 #include "cli/commands.h"
 #include "cli/inputs.h"
 #include "cli/messages.h"
 #include "cli/streams.h"
 #include "core/files.h"
 #include "dynamics/plots.h"
-#include "scene/stand.h"
 
 namespace frond {
 
@@ -15,8 +14,7 @@ void draw_stand(const StandArguments& arguments) {
   const std::string& path = arguments.preset.path;
   if (!preset.stand) fail({Error{path, "the preset has no stand"}}, kWrongInput);
   if (arguments.year > preset.stand->years)
-    fail({Error{path,
-                fmt::format("--year {:g} is after the last year, {}", arguments.year, preset.stand->years)}},
+    fail({error_at(path, "--year {:g} is after the last year, {}", arguments.year, preset.stand->years)},
          kWrongInput);
   tell_notes(preset.notes);
   std::string out = out_file(arguments.out, arguments.preset, "_stand.svg");

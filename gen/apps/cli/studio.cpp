@@ -57,8 +57,7 @@ void studio(const StudioArguments& arguments) {
   if (arguments.assets) options.assets = *arguments.assets;
   if (!arguments.preset.empty()) {
     // A file that is not there is told here; faults in it are the page's to show.
-    std::error_code error;
-    if (!fs::is_regular_file(arguments.preset, error))
+    if (!is_file(arguments.preset))
       fail({Error{arguments.preset, "is no file" + nearest_presets(arguments.preset)}}, kWrongInput);
     options.preset = arguments.preset;
   }

@@ -4,6 +4,7 @@
 #include "cli/messages.h"
 #include "cli/streams.h"
 #include "pipeline/out_folder.h"
+#include "pipeline/pass_picture.h"
 
 namespace frond {
 

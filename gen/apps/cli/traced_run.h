@@ -7,6 +7,7 @@
 #include "cli/heartbeat.h"
 #include "cli/inputs.h"
 #include "core/work_folder.h"
+#include "passes/traced_film.h"
 #include "scene/scene.h"
 
 namespace frond {

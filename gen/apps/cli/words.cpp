@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "cli/inputs.h"
+#include "core/files.h"
 #include "core/text.h"
 
 namespace frond {
@@ -53,9 +53,8 @@ std::vector<std::string> words_of(int count, char** words) {
   std::vector<std::string> list(words, words + count);
   for (std::string& word : list) {
     if (word == "--") break;
-    std::error_code error;
     bool option = word.size() < 2 || word[0] != '-' || kOptions.find(word[1]) != kOptions.npos;
-    if (!option && std::filesystem::is_regular_file(word, error)) word.insert(0, "./");
+    if (!option && is_file(word)) word.insert(0, "./");
   }
   return list;
 }

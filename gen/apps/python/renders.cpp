@@ -18,8 +18,6 @@ class Render final : public api::Listener {
           work(preset, folder, options);
         }) {}
   ~Render() override { stop(); }
-  Render(const Render&) = delete;
-  Render& operator=(const Render&) = delete;
 
   /// The next thing it says, with the numbers of frames that are done and of all, or 0; waits for it. Nothing
   /// at the end.

@@ -56,8 +56,7 @@ void refuse(int socket, std::string_view status, std::string_view why) {
   std::string body = fmt::format(R"({{"error":"{}"}})", why);
   std::string text = fmt::format(
       "HTTP/1.1 {}\r\nContent-Type: application/json\r\nX-Content-Type-Options: nosniff\r\nContent-Length: "
-      "{}\r\n"
-      "Connection: close\r\n\r\n{}",
+      "{}\r\nConnection: close\r\n\r\n{}",
       status, body.size(), body);
   // The answer fits into what the kernel holds of a connection that nothing was sent on.
   (void)!::send(socket, text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT);

@@ -21,8 +21,7 @@ namespace {
 constexpr std::uintmax_t kLargestFile = 8 << 20;  // bytes of a preset's file
 constexpr const char* kSaveFirst =
     "save the preset under a name of your own first: what is written lies beside it, where one that is "
-    "shipped "
-    "does not look";
+    "shipped does not look";
 
 std::optional<fs::path> without_links(const fs::path& path) {
   // The system takes a name to end at a NUL: what is judged would not be what is opened.
@@ -52,9 +51,8 @@ std::optional<std::string> picture_of(const fs::path& gallery, const fs::path& p
   std::string one = folder.ends_with('s') ? folder.substr(0, folder.size() - 1) : folder;
   std::string part = stem;  // "reef_dusk" is one of the reef
   if (std::size_t at = part.find('_'); at != part.npos) part[at] = '-';
-  std::error_code error;
   for (const std::string& name : {folder + '-' + stem, one + '-' + stem, stem, part})
-    if (fs::exists(gallery / (name + ".jpg"), error)) return name + ".jpg";
+    if (path_exists(gallery / (name + ".jpg"))) return name + ".jpg";
   return std::nullopt;
 }
 
@@ -236,8 +234,7 @@ Answer Documents::save(const std::string& file, const Doc& doc, const std::strin
                          folder_.string()));
   // Between the look at what is there and the writing nobody else saves, another studio neither.
   FolderLock lock(path->parent_path());
-  std::error_code error;
-  if (fs::exists(*path, error) && !overwrite) {
+  if (path_exists(*path) && !overwrite) {
     Result<std::string> there = read_file(*path);
     std::string id = there ? content_id(*there) : "";
     if (disk.empty() || id != disk)

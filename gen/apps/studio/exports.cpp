@@ -99,15 +99,12 @@ Result<fs::path> export_doc(const Documents& documents, const fs::path& home, co
   int told = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
   Command command;
   command.words = {own_program().string(), "export", copy.string(), "--out", path->string(), "--quiet"};
-  auto add = [&](std::string_view option, std::string value) {
-    command.words.insert(command.words.end(), {std::string(option), std::move(value)});
-  };
-  if (type != ".inc" && type != ".vdb") add("--detail", fmt::format("{:.0f}", order.detail));
-  if (order.levels > 1) add("--lods", std::to_string(order.levels));
+  if (type != ".inc" && type != ".vdb") command.add({"--detail", fmt::format("{:.0f}", order.detail)});
+  if (order.levels > 1) command.add({"--lods", std::to_string(order.levels)});
   if (bool moves = order.wind && preset->film.frames > 1; moves)
-    add("--frames", fmt::format("1-{}", preset->film.frames));
+    command.add({"--frames", fmt::format("1-{}", preset->film.frames)});
   else if (type != ".inc")
-    add("--frame", std::to_string(frame));
+    command.add({"--frame", std::to_string(frame)});
   command.environment = {"FROND_HOME=" + fs::absolute(home).string()};
   command.out = command.err = told;
   command.apart = true;

@@ -71,9 +71,8 @@ std::vector<int> frames_there(const fs::path& folder) {
 
 /// The finished film in a folder, without opacity or with it; empty where there is none.
 std::string film_in(const fs::path& folder) {
-  std::error_code error;
   for (bool transparent : {false, true})
-    if (std::string name = film_file(film_format(transparent)); fs::exists(folder / name, error)) return name;
+    if (std::string name = film_file(film_format(transparent)); path_exists(folder / name)) return name;
   return {};
 }
 
@@ -162,8 +161,7 @@ Result<fs::path> Films::make_folder(const Doc& doc) const {
 }
 
 Result<std::string> Films::begin(const Doc& doc, const FilmOrder& order) {
-  if (povray_flags(order.quality, false).empty())
-    return Error{"", fmt::format("\"{}\" is no quality", order.quality)};
+  if (povray_flags(order.quality, false).empty()) return error_at("", "\"{}\" is no quality", order.quality);
   Result<Preset> preset = documents_.preset(doc, sets_of(order.size, order.quality));
   if (!preset) return preset.errors();
   const Film& film = preset->film;
@@ -236,8 +234,7 @@ void Films::make(Job& job) {
       lock.lock();
     };
     std::vector<std::string> sets = sets_of(job.order.size, job.order.quality);
-    std::error_code error;
-    if (job.order.rough && !fs::exists(job.folder / "rough" / film_file(job.played()), error))
+    if (job.order.rough && !path_exists(job.folder / "rough" / film_file(job.played())))
       step("rough",
            [&] { return rendering.render(job.folder / "rough", job.rough_sets, "", job.played(), false); });
     if (job.order.farm) {
@@ -278,12 +275,11 @@ Json Films::told(const Job& job) const {
   int of = job.told.at("frames");
   if (Result<std::string> text = read_file(job.folder / "manifest.json"))
     if (auto manifest = read_manifest(*text, kPreset)) of = static_cast<int>(manifest->frames.size());
-  std::error_code error;
   std::string film = film_in(job.folder), plays;
   bool done_with = !film.empty() && !job.at_work();
   std::string played = film_file(job.played());
-  bool whole = done_with && fs::exists(job.folder / played, error);
-  if (whole || fs::exists(job.folder / "rough" / played, error))
+  bool whole = done_with && path_exists(job.folder / played);
+  if (whole || path_exists(job.folder / "rough" / played))
     plays = whole ? played : "rough." + std::string(job.played());
   Json answer{{"id", job.id},
               {"folder", job.folder.string()},
@@ -296,7 +292,7 @@ Json Films::told(const Job& job) const {
               {"there", frames},
               {"film", done_with ? film : ""},
               {"plays", plays},
-              {"watch", job.at_work() && fs::exists(job.folder / "watch.png", error)},
+              {"watch", job.at_work() && path_exists(job.folder / "watch.png")},
               {"order", order_json(job.order)}};
   answer.update(job.told);
   return answer;
@@ -342,8 +338,7 @@ bool Films::remove(const std::string& id) {
     jobs_.remove(job);
   }
   if (job->thread.joinable()) job->thread.join();
-  std::error_code error;
-  fs::remove_all(job->folder, error);
+  remove_tree(job->folder);
   return true;
 }
 
@@ -362,9 +357,8 @@ std::optional<fs::path> Films::file(const std::string& id, const std::string& na
   else if (int number = counting_number(name))
     for (const fs::path& folder : {job->frames(), job->folder / "raw"})
       places.push_back(folder / (frame_name(number) + ".png"));
-  std::error_code error;
   for (const fs::path& place : places)
-    if (fs::is_regular_file(place, error)) return place;
+    if (is_file(place)) return place;
   return std::nullopt;
 }
 

@@ -29,8 +29,6 @@ class Films {
   explicit Films(const Documents& documents);
   /// Pauses what is at work.
   ~Films();
-  Films(const Films&) = delete;
-  Films& operator=(const Films&) = delete;
 
   /// Begins one; its name. Errors of the preset are told at once.
   Result<std::string> begin(const Doc& doc, const FilmOrder& order);

@@ -112,10 +112,8 @@ std::vector<fs::path> files_of_grammar(const fs::path& grammar) {
   read.push_back(folder / kCommandLine);
   const std::string own = name_in(grammar, folder);
   std::map<std::string, fs::path> others;
-  std::error_code error;
   for (const fs::path& file : read)
-    if (std::string name = name_in(file, folder);
-        name != own && !name.starts_with("..") && fs::is_regular_file(file, error))
+    if (std::string name = name_in(file, folder); name != own && !name.starts_with("..") && is_file(file))
       others.emplace(std::move(name), file);
   for (auto& [name, file] : others) files.push_back(std::move(file));
   return files;
@@ -124,9 +122,8 @@ std::vector<fs::path> files_of_grammar(const fs::path& grammar) {
 /// The readable grammar that a question names.
 std::optional<fs::path> grammar_of(const Documents& documents, const Json& question) {
   std::optional<fs::path> file = documents.readable(question.at("file").get<std::string>());
-  std::error_code error;
   const bool fine = file && (is_model(*file) || file->extension() == ".ls" || file->extension() == ".txt");
-  return fine && fs::is_regular_file(*file, error) ? file : std::nullopt;
+  return fine && is_file(*file) ? file : std::nullopt;
 }
 
 }  // namespace

@@ -23,20 +23,19 @@ void MadeFiles::saved(const fs::path& of, const std::string& text) {
 
 void MadeFiles::remove(Made& made) const {
   const fs::path path = folder_ / made.name;
-  std::error_code error;
   std::vector<fs::path> files{path};
-  if (fs::is_directory(path, error)) files = files_below(path);
+  if (is_folder(path)) files = files_below(path);
   for (const fs::path& file : files) {
-    if (!fs::is_regular_file(file, error)) continue;
+    if (!is_file(file)) continue;
     // What could not be put back is not taken away.
     Result<std::string> held = read_file(file);
-    if (!held || !fs::remove(file, error)) continue;
+    if (!held || !remove_file(file)) continue;
     made.held.emplace_back(file, std::move(*held));
   }
   std::ranges::reverse(files);
   for (const fs::path& folder : files)
-    if (fs::is_directory(folder, error)) fs::remove(folder, error);  // an empty one
-  if (fs::is_directory(path, error)) fs::remove(path, error);
+    if (is_folder(folder)) remove_file(folder);  // an empty one
+  if (is_folder(path)) remove_file(path);
 }
 
 void MadeFiles::restore(const std::string& text) {
@@ -44,8 +43,7 @@ void MadeFiles::restore(const std::string& text) {
   for (Made& made : made_) {
     if (made.held.empty() || text.find(made.name) == text.npos) continue;
     for (const auto& [file, content] : made.held) {
-      std::error_code error;
-      if (!fs::exists(file, error)) (void)write_file(file, content);
+      if (!path_exists(file)) (void)write_file(file, content);
     }
     made.held.clear();
   }

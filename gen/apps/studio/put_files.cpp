@@ -43,10 +43,9 @@ Result<PutFiles> put_beside(const fs::path& folder, const std::string& name, con
   // The name is a person's; what becomes of it is a plain one that nothing else has.
   std::string stem = plain_name(fs::path(name).stem().string(), "file").substr(0, 60);
   std::string type = fs::path(name).extension().string();
-  std::error_code error;
   for (int number = 1; number < kMost; ++number) {
     std::string own = number == 1 ? stem + type : fmt::format("{}-{}{}", stem, number, type);
-    if (fs::exists(folder / own, error)) {
+    if (path_exists(folder / own)) {
       Result<std::string> there = read_file(folder / own);
       if (there && *there == content) return PutFiles{own};
       continue;
@@ -62,8 +61,7 @@ Result<PutFiles> put_folder(const fs::path& folder, const std::string& name,
                             const std::map<std::string, std::string>& contents) {
   for (int number = 1; number <= kMost; ++number) {
     std::string own = number == 1 ? name : fmt::format("{}-{}", name, number);
-    std::error_code error;
-    if (fs::exists(folder / own, error)) {
+    if (path_exists(folder / own)) {
       if (holds(folder / own, contents)) return PutFiles{own};
       continue;
     }

@@ -133,14 +133,13 @@ Renders::~Renders() {
   }
   for (auto& job : all)
     if (job->thread.joinable()) job->thread.join();
-  std::error_code error;
-  if (!folder_.empty()) fs::remove_all(folder_, error);
+  if (!folder_.empty()) remove_tree(folder_);
 }
 
 Result<std::string> Renders::begin(Doc doc, double time, std::array<int, 2> size,
                                    const std::string& quality) {
   if (folder_.empty()) return Error{"", "there is no room for temporary files"};
-  if (povray_flags(quality, false).empty()) return Error{"", fmt::format("\"{}\" is no quality", quality)};
+  if (povray_flags(quality, false).empty()) return error_at("", "\"{}\" is no quality", quality);
   auto job = std::make_shared<Job>();
   Result<Preset> preset = documents_.preset(
       doc, {fmt::format("/film/size=[{},{}]", size[0], size[1]), "/film/quality=\"" + quality + "\""});
@@ -159,8 +158,7 @@ Result<std::string> Renders::begin(Doc doc, double time, std::array<int, 2> size
     std::shared_ptr<Job> last = jobs_.back();
     jobs_.pop_back();
     if (last->thread.joinable()) last->thread.detach();  // it has ended, or is about to
-    std::error_code error;
-    fs::remove_all(last->folder, error);
+    remove_tree(last->folder);
   }
   try {
     job->thread = std::thread([this, job] { work(*job); });
@@ -235,13 +233,12 @@ Errors Renders::make(Job& job) {
 /// Only the picture stays of what was made.
 void Renders::clear(Job& job) {
   fs::path picture = job.folder / kPicture;
-  std::error_code error;
   {
     std::lock_guard lock(mutex_);
     job.preview = false, job.preset.reset();
-    job.picture = fs::exists(picture, error) ? picture : fs::path();
+    job.picture = path_exists(picture) ? picture : fs::path();
   }
-  fs::remove_all(job.folder / "frames", error);
+  remove_tree(job.folder / "frames");
   scenes_.tidy();
 }
 
@@ -275,13 +272,9 @@ Errors Renders::write(Job& job) {
 Errors Renders::render(Job& job, std::array<int, 2> size, std::string_view flags, const std::string& name) {
   // This program, even where another was built in its place meanwhile.
   Command command;
-  command.words = {"/proc/self/exe",
-                   "frame",
-                   "frames/" + frame_name(job.frame) + ".pov",
-                   "frames/" + name + ".png",
-                   fmt::format("{}x{}", size[0], size[1]),
-                   "--"};
-  std::ranges::move(split(flags, ' '), std::back_inserter(command.words));
+  command.words = {"/proc/self/exe", "frame", "frames/" + frame_name(job.frame) + ".pov"};
+  command.add({"frames/" + name + ".png", fmt::format("{}x{}", size[0], size[1]), "--"});
+  command.add(split(flags, ' '));
   command.environment = {"FROND_HOME=" + fs::absolute(home_).string(),
                          fmt::format("FROND_THREADS={}", thread_count())};
   command.folder = job.folder;

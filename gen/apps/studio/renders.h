@@ -5,7 +5,6 @@
 #include <memory>
 #include <mutex>
 #include <string>
-#include <thread>
 
 #include "studio/documents.h"
 #include "studio/scenes.h"
@@ -19,8 +18,6 @@ class Renders {
   Renders(const Documents& documents, Scenes& scenes, std::filesystem::path home);
   /// Ends what is at work, and removes its files.
   ~Renders();
-  Renders(const Renders&) = delete;
-  Renders& operator=(const Renders&) = delete;
 
   /// Begins one of a preset at a time in seconds. Errors of the preset are told at once.
   Result<std::string> begin(Doc doc, double time, std::array<int, 2> size, const std::string& quality);

@@ -34,8 +34,7 @@ constexpr const char* kHost = "127.0.0.1";
 constexpr std::size_t kMostMesh = std::size_t{65} << 20, kMostText = std::size_t{8} << 20;  // bytes
 constexpr const char* kPolicy =
     "default-src 'self'; img-src 'self' blob: data:; style-src 'self' 'unsafe-inline'; frame-ancestors "
-    "'none'; "
-    "base-uri 'none'; form-action 'none'";
+    "'none'; base-uri 'none'; form-action 'none'";
 
 /// 32 hexadecimal digits that nobody can guess; empty where the system gives no random numbers.
 std::string token() {

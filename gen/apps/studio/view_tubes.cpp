@@ -5,7 +5,6 @@
 #include <optional>
 #include <tuple>
 
-#include "core/parallel.h"
 #include "draw/sweep.h"
 #include "studio/tiles.h"
 #include "studio/view.h"

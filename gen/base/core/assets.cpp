@@ -1,7 +1,5 @@
 #include "core/assets.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "core/files.h"
@@ -54,21 +52,20 @@ Result<NamedFile> Assets::read(const std::string& name, const fs::path& named_in
     // What lies outside is not even asked for, so that nobody learns whether it is there.
     std::optional<fs::path> real = allowed(path);
     outside = outside || !real;
-    std::error_code error;
-    if (!real || !fs::exists(*real, error)) continue;
+    if (!real || !path_exists(*real)) continue;
     Result<std::string> text = read_file(*real);
-    if (!text) return Error{"", fmt::format("{} {}", path.string(), text.errors().front().what)};
+    if (!text) return error_at("", "{} {}", path.string(), text.errors().front().what);
     if (noted_) noted_->push_back(path);
     return NamedFile{path, std::move(*text), noted_};
   }
   if (outside)
-    return Error{"", fmt::format("\"{}\" lies outside of what may be read; expected a file below {} or {}",
-                                 name, folder_.string(), only_->string())};
-  if (places.size() == 1) return Error{"", fmt::format("there is no file {}", name)};
+    return error_at("", "\"{}\" lies outside of what may be read; expected a file below {} or {}", name,
+                    folder_.string(), only_->string());
+  if (places.size() == 1) return error_at("", "there is no file {}", name);
   std::error_code error;
   fs::path second = only_ ? *only_ : fs::current_path(error);
   std::string where = fs::equivalent(folder, second, error) ? "" : folder.string() + " and in ";
-  return Error{"", fmt::format("there is no file \"{}\"; looked for in {}{}", name, where, second.string())};
+  return error_at("", "there is no file \"{}\"; looked for in {}{}", name, where, second.string());
 }
 
 }  // namespace frond

@@ -86,6 +86,31 @@ std::string reason_of(std::error_code error) {
   return error.message();
 }
 
+bool path_exists(const fs::path& path) {
+  std::error_code error;
+  return fs::exists(path, error);
+}
+
+bool is_file(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
+}
+
+bool is_folder(const fs::path& path) {
+  std::error_code error;
+  return fs::is_directory(path, error);
+}
+
+bool remove_file(const fs::path& path) {
+  std::error_code error;
+  return fs::remove(path, error);
+}
+
+void remove_tree(const fs::path& path) {
+  std::error_code error;
+  fs::remove_all(path, error);
+}
+
 fs::path path_from(const fs::path& folder, const fs::path& path) {
   std::error_code error;
   return fs::relative(fs::absolute(path, error), fs::absolute(folder, error), error);

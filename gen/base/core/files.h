@@ -51,6 +51,16 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
 /// The sorted entries of a folder and of all folders below it, as far as files_in() lists them.
 std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder);
 
+/// Whether a path leads to anything, to a file or to a folder; false where that cannot be told.
+bool path_exists(const std::filesystem::path& path);
+bool is_file(const std::filesystem::path& path);
+bool is_folder(const std::filesystem::path& path);
+
+/// Removes a file or an empty folder, and a folder with all that is in it; what cannot be removed stays. True
+/// where the file was removed.
+bool remove_file(const std::filesystem::path& path);
+void remove_tree(const std::filesystem::path& path);
+
 /// A path as seen from a folder, which need not be there yet: one that is not is no reason for an empty path,
 /// as it is to std::filesystem::relative.
 std::filesystem::path path_from(const std::filesystem::path& folder, const std::filesystem::path& path);

@@ -56,17 +56,13 @@ std::optional<fs::path> shipped_preset(std::string_view name) {
   fs::path path(name);
   bool plain = !name.empty() && name.find('\0') == name.npos && path.is_relative();
   if (!plain || std::ranges::find(path, "..") != path.end()) return std::nullopt;
-  std::error_code error;
   const fs::path presets = home_folder() / "presets";
   if (path.extension() != ".json") path += ".json";
   for (const fs::path& file : {home_folder() / path, presets / path})
-    if (std::ranges::mismatch(presets, file).in1 == presets.end() && fs::is_regular_file(file, error))
-      return file;
+    if (std::ranges::mismatch(presets, file).in1 == presets.end() && is_file(file)) return file;
   if (path.has_parent_path()) return std::nullopt;
   for (const fs::path& file : files_below(presets))
-    if (file.filename() == path && file.parent_path().filename() != "grammars" &&
-        fs::is_regular_file(file, error))
-      return file;
+    if (file.filename() == path && file.parent_path().filename() != "grammars" && is_file(file)) return file;
   return std::nullopt;
 }
 

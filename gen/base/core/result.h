@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cassert>
 #include <string>
 #include <utility>
@@ -17,6 +19,12 @@ struct Error {
   /// One line, `where: what`.
   std::string text() const { return where.empty() ? what : where + ": " + what; }
 };
+
+/// The error at a place, told as fmt::format() formats it.
+template <class... Parts>
+Error error_at(std::string where, fmt::format_string<Parts...> what, Parts&&... parts) {
+  return {std::move(where), fmt::format(what, std::forward<Parts>(parts)...)};
+}
 
 using Errors = std::vector<Error>;
 

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "core/files.h"
+
 namespace frond {
 
 namespace fs = std::filesystem;
@@ -15,8 +17,7 @@ WorkFolder::WorkFolder() {
 }
 
 WorkFolder::~WorkFolder() {
-  std::error_code error;
-  if (!path_.empty()) fs::remove_all(path_, error);
+  if (!path_.empty()) remove_tree(path_);
 }
 
 }  // namespace frond

@@ -92,6 +92,12 @@ struct Range {
   bool holds(double x) const { return (above_min ? x > min : x >= min) && x <= max; }
 };
 
+/// The range of a share, and of what goes from none to full.
+inline constexpr Range kShare{.min = 0, .max = 1};
+
+/// The range of a length, metres.
+constexpr Range metres(double min, double max) { return {.min = min, .max = max, .unit = "m"}; }
+
 /// What a property tells of what is made from it.
 enum class Aspect {
   shape,   ///< what grows: its branches, and where its organs are

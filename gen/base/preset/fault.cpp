@@ -1,7 +1,5 @@
 #include "preset/fault.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <tuple>
 
@@ -22,8 +20,8 @@ Error Fault::error() const {
   // `--set /film/fps` says the pointer itself.
   if (origin.line > 0 || !where.ends_with(" " + shown)) where += ": " + shown;
   if (!unknown) return {where, what};
-  return {where, fmt::format("unknown property {}{}", serialize(make_text(*unknown)),
-                             expected_names(*unknown, names))};
+  return error_at(where, "unknown property {}{}", serialize(make_text(*unknown)),
+                  expected_names(*unknown, names));
 }
 
 void Faults::add(Fault fault) {

@@ -104,13 +104,13 @@ Errors apply_set(Document& document, std::string_view assignment) {
   if (equals == assignment.npos)
     return {Error{where, "found no '='; expected POINTER=VALUE, as in /film/fps=24"}};
   if (!pointer.starts_with('/')) {
-    return {Error{where, fmt::format("found a pointer without '/' in front; expected /{}", pointer)}};
+    return {error_at(where, "found a pointer without '/' in front; expected /{}", pointer)};
   }
   if (invalid_utf8(assignment)) return {Error{where, "bytes that are not UTF-8; expected UTF-8"}};
   std::optional<std::vector<std::string>> steps = steps_of(pointer);
   if (!steps) return {Error{where, "found a single '~'; expected ~0 for '~' and ~1 for '/'"}};
   if (steps->size() > kDeepestNesting) {
-    return {Error{where, fmt::format("found {} steps; expected at most {}", steps->size(), kDeepestNesting)}};
+    return {error_at(where, "found {} steps; expected at most {}", steps->size(), kDeepestNesting)};
   }
 
   std::string_view written = assignment.substr(equals + 1);

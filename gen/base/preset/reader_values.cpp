@@ -85,7 +85,7 @@ std::optional<std::array<int, 2>> Reader::size_at(const Value& value, const Rang
 
 std::optional<Color> Reader::color_at(const Value& value) {
   if (value.is(Value::Type::list)) {
-    auto rgb = vector_at<Vec3>(value, {.min = 0, .max = 1});
+    auto rgb = vector_at<Vec3>(value, kShare);
     return rgb ? std::optional(Color{rgb->x, rgb->y, rgb->z}) : std::nullopt;
   }
   std::string_view near;

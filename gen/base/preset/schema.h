@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "preset/describe.h"
-#include "preset/json.h"
 
 namespace frond {
 

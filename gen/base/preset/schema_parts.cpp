@@ -71,7 +71,7 @@ Value direction_schema(Across across) {
 Value color_schema() {
   Value text = typed("string");
   text.set("pattern", make_text(R"(^#([0-9a-fA-F]{3}){1,2}$|^(rgb|hsl)\(.+\)$|^[a-zA-Z]+$|^palette:.+$)"));
-  Value rgb = vector_schema(number_schema({.min = 0, .max = 1}), 3);
+  Value rgb = vector_schema(number_schema(kShare), 3);
   return make_object().set("anyOf", make_list({text, rgb}));
 }
 

@@ -126,9 +126,7 @@ Cell block_origin(std::uint64_t key) {
   return {part(key >> 42), part(key >> 21), part(key)};
 }
 
-Vec3 voxel_middle(Cell voxel, float size) {
-  return Vec3(static_cast<float>(voxel.i), static_cast<float>(voxel.j), static_cast<float>(voxel.k)) * size;
-}
+Vec3 voxel_middle(Cell voxel, float size) { return Vec3(voxel.i, voxel.j, voxel.k) * size; }
 
 Cell voxel_at(Vec3 place, float size) {
   auto near = [&](float x) { return static_cast<std::int32_t>(std::floor(x / size + 0.5f)); };

@@ -1,6 +1,5 @@
 #include "field/volume.h"
 
-#include <fmt/format.h>
 #include <openvdb/io/Stream.h>
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/SignedFloodFill.h>
@@ -210,13 +209,14 @@ Errors refuse_volume(const BranchVolume& boughs, const VolumeOptions& options) {
   VolumeForecast forecast = estimate_volume(boughs, options.voxel);
   if (forecast.bytes > options.limit) {
     double enough = options.voxel * std::sqrt(forecast.bytes / options.limit) * 1.05;
-    return {Error{"", fmt::format("the volume would take about {} of memory, more than the limit of {}; "
-                                  "a voxel of {:.2g} m would do",
-                                  bytes_text(forecast.bytes), bytes_text(options.limit), enough)}};
+    return {error_at(
+        "",
+        "the volume would take about {} of memory, more than the limit of {}; a voxel of {:.2g} m would do",
+        bytes_text(forecast.bytes), bytes_text(options.limit), enough)};
   }
   if (!fits_grid(boughs, static_cast<float>(options.voxel)))
-    return {Error{"", fmt::format("voxels of {:.2g} m are too small for a place so far from the middle",
-                                  options.voxel)}};
+    return {
+        error_at("", "voxels of {:.2g} m are too small for a place so far from the middle", options.voxel)};
   return {};
 }
 

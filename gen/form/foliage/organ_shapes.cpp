@@ -42,7 +42,7 @@ Surface blade_surface(const BladeShape& shape) {
       // The midrib is an arc; the blade's upper side leans with it.
       double y = std::abs(shape.bend) > 1e-6 ? std::sin(angle) / shape.bend : along;
       double z = std::abs(shape.bend) > 1e-6 ? -(1 - std::cos(angle)) / shape.bend : 0;
-      Vec3 up(0, static_cast<float>(std::sin(angle)), static_cast<float>(std::cos(angle)));
+      Vec3 up(0, std::sin(angle), std::cos(angle));
       for (int k = 0; k <= across; ++k) {
         double share = static_cast<double>(side < 0 ? across - k : k) / across;
         double rise = half * share * std::sin(shape.fold) * (1 - 0.45 * share);

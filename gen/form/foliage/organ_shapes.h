@@ -2,8 +2,6 @@
 
 #include <span>
 
-#include "model/model.h"
-
 namespace frond {
 
 /// A leaf or a petal: a blade one unit long from its foot, folded along its midrib and bent.

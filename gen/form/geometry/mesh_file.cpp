@@ -1,7 +1,5 @@
 #include "geometry/mesh_file.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "core/text.h"
@@ -105,10 +103,8 @@ Result<PolygonMesh> read_mesh_file(const NamedFile& file, std::string* content) 
   if (is_ply(bytes)) return read_ply_mesh(bytes, name);
   if (is_stl(bytes)) return read_stl_mesh(bytes, name);
   if (std::string what = foreign_format(bytes); !what.empty())
-    return Error{name,
-                 fmt::format("is {}; expected a mesh as Wavefront OBJ, PLY, STL or GLB, which most programs "
-                             "export",
-                             what)};
+    return error_at(
+        name, "is {}; expected a mesh as Wavefront OBJ, PLY, STL or GLB, which most programs export", what);
   Result<PolygonMesh> mesh = read_obj_mesh(bytes, name);
   if (!mesh) return mesh;
   if (std::string wrong = nothing_to_draw(*mesh, bytes); !wrong.empty()) return Error{name, wrong};

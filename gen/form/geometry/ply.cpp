@@ -89,15 +89,14 @@ class PlyParser {
     for (const Element& element : elements_)
       if (std::string wrong = read_element(element); !wrong.empty()) return Error{name_, std::move(wrong)};
     if (mesh_.face.empty())
-      return Error{
-          name_, fmt::format("is a PLY file of {} points without a face; expected a mesh, which the program "
-                             "that made it can make of the points",
-                             mesh_.place.size())};
+      return error_at(name_,
+                      "is a PLY file of {} points without a face; expected a mesh, which the program that "
+                      "made it can make of the points",
+                      mesh_.place.size());
     for (const PolygonMesh::Corner& corner : mesh_.corner)
       if (corner.place >= mesh_.place.size())
-        return Error{name_,
-                     fmt::format("a face names vertex {}; expected one of the {} that the file has, from 0",
-                                 corner.place, mesh_.place.size())};
+        return error_at(name_, "a face names vertex {}; expected one of the {} that the file has, from 0",
+                        corner.place, mesh_.place.size());
     settle_attributes();
     return std::move(mesh_);
   }

@@ -45,8 +45,8 @@ Result<PolygonMesh> read_text(std::string_view text, const std::string& name) {
     for (int i = 0; i < 3; ++i) {
       std::optional<double> number = number_of(lines.word());
       if (!number)
-        return Error{fmt::format("{}:{}", name, lines.number()),
-                     fmt::format("a vertex whose number {} is none; expected three finite numbers", i + 1)};
+        return error_at(fmt::format("{}:{}", name, lines.number()),
+                        "a vertex whose number {} is none; expected three finite numbers", i + 1);
       at[i] = *number;
     }
     made.add_corner(at);
@@ -60,8 +60,8 @@ Result<PolygonMesh> read_binary(std::string_view bytes, const std::string& name)
   reader.skip(kHead);
   std::uint32_t count = reader.read<std::uint32_t>().value_or(0);
   if (reader.left() / kFacet < count)
-    return Error{name, fmt::format("is an STL file that promises {} triangles and holds {}", count,
-                                   reader.left() / kFacet)};
+    return error_at(name, "is an STL file that promises {} triangles and holds {}", count,
+                    reader.left() / kFacet);
   Gatherer made;
   for (std::uint32_t i = 0; i < count; ++i) {
     std::size_t first = made.mesh.corner.size();
@@ -70,7 +70,7 @@ Result<PolygonMesh> read_binary(std::string_view bytes, const std::string& name)
       DVec3 at(0);
       for (int axis = 0; axis < 3; ++axis) at[axis] = static_cast<double>(reader.read<float>().value_or(0));
       if (!std::isfinite(glm::dot(at, at)))
-        return Error{name, fmt::format("triangle {} has a corner at no finite place", i)};
+        return error_at(name, "triangle {} has a corner at no finite place", i);
       made.add_corner(at);
     }
     reader.skip(sizeof(std::uint16_t));

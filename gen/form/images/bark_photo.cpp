@@ -43,13 +43,6 @@ DVec3 mean_of(const Light& light) {
   return sum / static_cast<double>(light.data.size());
 }
 
-Light transposed(const Light& light) {
-  Light turned(light.height, light.width);
-  for (int y = 0; y < light.height; ++y)
-    for (int x = 0; x < light.width; ++x) turned.at(y, x) = light.at(x, y);
-  return turned;
-}
-
 /// The mean of the brightness over `reach` pixels either way along the rows, in all channels; what is beyond
 /// the edges counts as the edge.
 Light blurred(const Light& light, int reach) {

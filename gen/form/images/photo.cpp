@@ -1,7 +1,5 @@
 #include "images/photo.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
@@ -21,8 +19,8 @@ Result<Raster> read_photo(std::string_view bytes) {
   if (!read) return read;
   auto [least, most] = std::minmax(read->width, read->height);
   if (least >= kLeastSide && most <= kMostSide) return read;
-  return Error{"", fmt::format("is a picture of {} x {} pixels; expected {} to {} pixels a side", read->width,
-                               read->height, kLeastSide, kMostSide)};
+  return error_at("", "is a picture of {} x {} pixels; expected {} to {} pixels a side", read->width,
+                  read->height, kLeastSide, kMostSide);
 }
 
 float linear(std::uint8_t channel) {

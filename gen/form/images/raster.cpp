@@ -1,6 +1,5 @@
 #include "images/raster.h"
 
-#include <fmt/format.h>
 #include <png.h>
 
 namespace frond {
@@ -53,8 +52,8 @@ Errors begin(png_image& image, std::string_view bytes, png_uint_32 longest, std:
     return {Error{"", std::string("no PNG: ") + image.message}};
   if (image.width <= longest && image.height <= longest && std::uint64_t{image.width} * image.height <= most)
     return {};
-  return {Error{"", fmt::format("the picture is larger than {} pixels a side, or {} million in all", longest,
-                                most / 1'000'000)}};
+  return {error_at("", "the picture is larger than {} pixels a side, or {} million in all", longest,
+                   most / 1'000'000)};
 }
 
 /// Reads the rest, as `image.format` says.

@@ -54,6 +54,15 @@ struct PixelGrid {
   T wrapped(int x, int y) const { return at((x % width + width) % width, (y % height + height) % height); }
 };
 
+/// The grid with its rows as columns.
+template <class T>
+PixelGrid<T> transposed(const PixelGrid<T>& grid) {
+  PixelGrid<T> turned(grid.height, grid.width);
+  for (int y = 0; y < grid.height; ++y)
+    for (int x = 0; x < grid.width; ++x) turned.at(y, x) = grid.at(x, y);
+  return turned;
+}
+
 /// Numbers mostly from 0 to 1.
 using Grid = PixelGrid<float>;
 

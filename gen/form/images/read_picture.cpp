@@ -1,6 +1,5 @@
 #include "images/read_picture.h"
 
-#include <fmt/format.h>
 #include <turbojpeg.h>
 #include <webp/decode.h>
 
@@ -32,7 +31,7 @@ Result<Raster> read_jpeg(std::string_view bytes, bool upright) {
   std::unique_ptr<void, CloseJpeg> reader(tjInitDecompress());
   int width = 0, height = 0, sampling = 0, colors = 0;
   if (tjDecompressHeader3(reader.get(), first_byte(bytes), bytes.size(), &width, &height, &sampling, &colors))
-    return Error{"", fmt::format("is a damaged JPEG: {}", tjGetErrorStr2(reader.get()))};
+    return error_at("", "is a damaged JPEG: {}", tjGetErrorStr2(reader.get()));
   if (Errors errors = refuse_large(width, height); !errors.empty()) return errors;
   if (colors == TJCS_CMYK || colors == TJCS_YCCK)
     return Error{"", "is a JPEG for print, in CMYK; expected one in RGB"};
@@ -42,7 +41,7 @@ Result<Raster> read_jpeg(std::string_view bytes, bool upright) {
   // Cameras write bytes that the library warns of; what ends too early lacks a part of the picture.
   std::string_view said = failed ? tjGetErrorStr2(reader.get()) : "";
   if (failed && (tjGetErrorCode(reader.get()) != TJERR_WARNING || said.find("Premature") != said.npos))
-    return Error{"", fmt::format("is a damaged JPEG: {}", said)};
+    return error_at("", "is a damaged JPEG: {}", said);
   return upright ? turned(raster, jpeg_turn(bytes)) : raster;
 }
 
@@ -82,7 +81,7 @@ Result<Raster> read(std::string_view bytes, bool upright) {
   if (is_png(bytes)) return read_png(bytes);
   if (is_jpeg(bytes)) return read_jpeg(bytes, upright);
   if (is_webp(bytes)) return read_webp(bytes);
-  return Error{"", fmt::format("{}; expected a PNG, JPEG or WebP file", said_kind(bytes))};
+  return error_at("", "{}; expected a PNG, JPEG or WebP file", said_kind(bytes));
 }
 
 }  // namespace

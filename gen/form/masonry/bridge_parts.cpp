@@ -37,7 +37,7 @@ BridgePiece bar_piece(const Arch& arch, BridgePart part, const Bar& bar) {
 
 BridgePiece post_piece(Vec2 at, double foot, double head, double width, float bevel) {
   auto w = static_cast<float>(width);
-  Surface surface = block_surface({Vec3(static_cast<float>(head - foot), w, w), bevel, {4, 1, 1}});
+  Surface surface = block_surface({Vec3(head - foot, w, w), bevel, {4, 1, 1}});
   // Its own x, along which the grain runs, points upward.
   Quat turn = glm::angleAxis(static_cast<float>(kPi / 2), Vec3(0, 0, 1));
   return {BridgePart::post, std::move(surface), Vec3(at.x, (foot + head) / 2, at.y), turn};

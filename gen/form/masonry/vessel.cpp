@@ -210,10 +210,9 @@ Errors refuse_profile(const VesselShape& shape) {
   Errors errors;
   const auto& points = shape.profile;
   if (points.size() < 2 || points.size() > 21)
-    return {{"", fmt::format("the profile has {} points; expected 2 to 21", points.size())}};
+    return {error_at("", "the profile has {} points; expected 2 to 21", points.size())};
   for (const glm::dvec2& p : points)
-    if (p.x < 0)
-      errors.push_back({"", fmt::format("the profile has the radius {}; expected 0 or more", p.x)});
+    if (p.x < 0) errors.push_back(error_at("", "the profile has the radius {}; expected 0 or more", p.x));
   if (points.back().x <= 0)
     errors.push_back({"", "the profile ends on the axis; expected a lip with a radius above 0"});
   if (points.back().y <= points.front().y)
@@ -260,7 +259,7 @@ Surface vessel_surface(const VesselProfile& profile, int sides) {
     for (int k = 0; k <= (pole ? 0 : sides); ++k) {
       double turn = static_cast<double>(k) / sides, angle = 2 * kPi * (k % sides) / sides;
       surface.position.push_back(Vec3(line[i].x * std::cos(angle), line[i].y, -line[i].x * std::sin(angle)));
-      surface.uv.push_back(Vec2(static_cast<float>(pole ? 0.5 : turn), static_cast<float>(profile.along[i])));
+      surface.uv.push_back(Vec2(pole ? 0.5 : turn, profile.along[i]));
     }
   }
   for (std::size_t i = 0; i + 1 < line.size(); ++i)

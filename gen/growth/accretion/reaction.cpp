@@ -117,8 +117,7 @@ std::vector<float> react(const Surface& surface, const Reaction& reaction, Seed 
   constexpr double kSpot = 0.25;          // value of the noise, above which there is a spot
   constexpr double kSpots = 1.6;          // units of the noise from wave to wave
   auto frequency = static_cast<float>(kSpots / reaction.wave);
-  Vec3 shift(static_cast<float>(seed.child("x").range(-99, 99)),
-             static_cast<float>(seed.child("y").range(-99, 99)), 0);
+  Vec3 shift(seed.child("x").range(-99, 99), seed.child("y").range(-99, 99), 0);
   std::vector<Vec2> now(count), next(count);  // both substances
   for (std::size_t i = 0; i < count; ++i) {
     std::uint32_t v = order[i];

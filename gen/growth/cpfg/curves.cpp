@@ -1,7 +1,5 @@
 #include "cpfg/curves.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -113,8 +111,7 @@ Result<std::vector<Vec3>> read_points(LabelReader& file, int lines, std::size_t 
     std::string_view line = file.next_line();
     std::vector<float> numbers = numbers_of(line);
     if (numbers.size() < dimensions)
-      return Error{"",
-                   fmt::format("`{}`: expected point {} of {}, {} numbers", line, i + 1, lines, dimensions)};
+      return error_at("", "`{}`: expected point {} of {}, {} numbers", line, i + 1, lines, dimensions);
     float times = numbers.size() > dimensions ? std::clamp(numbers[dimensions], 1.0F, 1000.0F) : 1;
     Vec3 point(numbers[0], numbers[1], dimensions > 2 ? numbers[2] : 0);
     points.insert(points.end(), static_cast<std::size_t>(times), point);

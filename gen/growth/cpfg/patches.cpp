@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -142,8 +141,7 @@ Result<TurtleSurface> read_patches(std::string_view text, double scale, std::arr
   }
   // The first six are the bounds, then each patch has 16 points.
   if (numbers.size() < 54 || (numbers.size() - 6) % 48 != 0)
-    return Error{"",
-                 fmt::format("found {} numbers; expected 6 bounds, and 48 for each patch", numbers.size())};
+    return error_at("", "found {} numbers; expected 6 bounds, and 48 for each patch", numbers.size());
   std::size_t patches = (numbers.size() - 6) / 48;
   if (patches > kMostPatches) return Error{"", "more than 2,000 patches"};
   if (pieces[0] > 0) head.along = held_pieces(pieces[0]);

@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -62,8 +61,8 @@ std::optional<Error> odd_sign(const cpfg::PlainText& plain) {
     std::size_t line = odd->at == 0 ? 0 : text.rfind('\n', odd->at - 1) + 1;
     std::string_view before = text.substr(line, odd->at - line);
     if (std::ranges::count(before, '"') % 2 == 1) continue;
-    return Error{plain.where(odd->at), fmt::format("column {}: {} is not {}, which is meant; write that",
-                                                   column_of(before, before.size()), odd->name, odd->meant)};
+    return error_at(plain.where(odd->at), "column {}: {} is not {}, which is meant; write that",
+                    column_of(before, before.size()), odd->name, odd->meant);
   }
   return std::nullopt;
 }

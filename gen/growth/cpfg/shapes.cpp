@@ -101,7 +101,7 @@ class ShapeReader {
 /// A `.map`: 256 colours of three bytes.
 Result<std::vector<Color>> read_color_map(std::string_view bytes) {
   if (bytes.size() < 3 * kColors)
-    return Error{"", fmt::format("found {} bytes; expected a colour map of {}", bytes.size(), 3 * kColors)};
+    return error_at("", "found {} bytes; expected a colour map of {}", bytes.size(), 3 * kColors);
   auto part = [&](std::size_t at) { return static_cast<float>(static_cast<unsigned char>(bytes[at])) / 255; };
   std::vector<Color> colors;
   for (std::size_t i = 0; i < kColors; ++i) colors.push_back({part(3 * i), part(3 * i + 1), part(3 * i + 2)});
@@ -112,7 +112,7 @@ Result<std::vector<Color>> read_color_map(std::string_view bytes) {
 Result<std::vector<Color>> read_materials(std::string_view bytes) {
   constexpr std::size_t kRecord = 15, kDiffuse = 5, kEmission = 8;
   if (bytes.size() < kRecord)
-    return Error{"", fmt::format("found {} bytes; expected materials of {} each", bytes.size(), kRecord)};
+    return error_at("", "found {} bytes; expected materials of {} each", bytes.size(), kRecord);
   std::vector<Color> colors(kColors, kLeafGreen);
   for (std::size_t record = 0; record + kRecord <= bytes.size(); record += kRecord) {
     auto part = [&](std::size_t at) { return static_cast<unsigned char>(bytes[record + at]); };

@@ -1,7 +1,5 @@
 #include "cpfg/view.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -70,10 +68,9 @@ Result<std::string> ModelFolder::read(const std::string& name) {
   fs::path root = fs::weakly_canonical(folder_, error), file = fs::weakly_canonical(folder_ / name, error);
   auto [at, rest] = std::ranges::mismatch(root, file);
   if (error || fs::path(name).is_absolute() || at != root.end())
-    return Error{"",
-                 fmt::format("\"{}\" is not below the model's folder; copy it there and name it so", name)};
+    return error_at("", "\"{}\" is not below the model's folder; copy it there and name it so", name);
   if (!fs::is_regular_file(file, error))
-    return Error{"", fmt::format("there is no file \"{}\" in the model's folder", name)};
+    return error_at("", "there is no file \"{}\" in the model's folder", name);
   Result<std::string> text = read_file(file);
   if (!text) return Error{"", text.errors()[0].what};
   files_.push_back(folder_ / name);
@@ -85,9 +82,8 @@ Result<CpfgFiles> files_of(const fs::path& grammar) {
   CpfgFiles files;
   files.grammar = grammar;
   fs::path folder = grammar.parent_path();
-  std::error_code error;
   std::vector<std::string> command;
-  if (fs::is_regular_file(folder / "specifications", error))
+  if (is_file(folder / "specifications"))
     if (Result<std::string> text = read_file(folder / "specifications"))
       command = command_of(*text, grammar.filename().string());
   for (std::size_t i = 0; i < command.size(); ++i) {

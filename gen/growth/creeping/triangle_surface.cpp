@@ -1,7 +1,6 @@
 #include "creeping/triangle_surface.h"
 
 #include <embree3/rtcore.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cassert>
@@ -219,8 +218,7 @@ double TriangleSurface::openness(std::uint32_t triangle, double side) const {
 Result<TriangleSurface> TriangleSurface::build(const Surface& surface, std::string_view name) {
   Soup soup = mend_surface(surface);
   if (soup.corners.empty())
-    return Error{std::string(name),
-                 fmt::format("none of the {} triangles has an area", surface.triangle.size())};
+    return error_at(std::string(name), "none of the {} triangles has an area", surface.triangle.size());
   TriangleSurface host;
   host.adopt(Soup(soup));
   if (!host.tree_->build(host)) return Error{std::string(name), "Embree could not build its tree"};

@@ -142,7 +142,7 @@ class Colony {
       sum = glm::length(sum) > 1e-4f ? glm::normalize(sum) : toward_[static_cast<std::size_t>(node)];
       Seed own = seed.child(static_cast<std::uint64_t>(node));
       Vec3 random(own.child(0).range(-1, 1), own.child(1).range(-1, 1), own.child(2).range(-1, 1));
-      sum += random * static_cast<float>(how_.jitter) + Vec3(0, static_cast<float>(how_.tropism), 0);
+      sum += random * static_cast<float>(how_.jitter) + Vec3(0, how_.tropism, 0);
       if (glm::length(sum) < 1e-4f) sum = toward_[static_cast<std::size_t>(node)];
       Vec3 direction = glm::normalize(sum);
       assert(std::abs(glm::length(direction) - 1) < 1e-3f);

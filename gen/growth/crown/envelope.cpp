@@ -14,7 +14,7 @@ struct BoundsOf {
   Bounds operator()(const EllipsoidCrown& e) const { return {e.middle - e.half, e.middle + e.half}; }
   Bounds operator()(const ConeCrown& c) const {
     auto wide = static_cast<float>(std::max(c.low, c.high));
-    return {c.foot - Vec3(wide, 0, wide), c.foot + Vec3(wide, static_cast<float>(c.height), wide)};
+    return {c.foot - Vec3(wide, 0, wide), c.foot + Vec3(wide, c.height, wide)};
   }
   Bounds operator()(const MeshCrown& m) const {
     if (m.surface.position.empty()) return {Vec3(0), Vec3(0)};

@@ -1,7 +1,5 @@
 #include "crown/silhouette.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -18,9 +16,8 @@ Errors refuse_size(float width, float height) {
   if (!(height > 0) || !(width > 0)) return {{"", "the silhouette is flat"}};
   float ratio = width / height;
   if (ratio <= kLongest && ratio >= 1 / kLongest) return {};
-  return {
-      {"", fmt::format("the silhouette is {:.3g} times as {}; expected {:g} times at most",
-                       std::max(ratio, 1 / ratio), ratio > 1 ? "wide as high" : "high as wide", kLongest)}};
+  return {error_at("", "the silhouette is {:.3g} times as {}; expected {:g} times at most",
+                   std::max(ratio, 1 / ratio), ratio > 1 ? "wide as high" : "high as wide", kLongest)};
 }
 
 }  // namespace

@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include <cctype>
 #include <charconv>
@@ -42,8 +41,8 @@ class PathReader {
 
  private:
   Error fault(std::string_view expected) const {
-    return {"", fmt::format("the path has \"{}\" at character {}; expected {}", data_.substr(at_, 12),
-                            at_ + 1, expected)};
+    return error_at("", "the path has \"{}\" at character {}; expected {}", data_.substr(at_, 12), at_ + 1,
+                    expected);
   }
 
   void skip() {

@@ -1,7 +1,5 @@
 #include "crown/weber_penn.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -50,9 +48,9 @@ class Grower {
     Whorl whorl;
     for (int i = 0; i < tree_.trunks && !full_; ++i) add_trunk(i, whorl);
     if (full_)
-      return Error{"", fmt::format("the tree has more than {} nodes or {} leaves; fewer branches, splits, "
-                                   "segments or leaves",
-                                   kMostNodes, kMostLeaves)};
+      return error_at(
+          "", "the tree has more than {} nodes or {} leaves; fewer branches, splits, segments or leaves",
+          kMostNodes, kMostLeaves);
     for (Vec3& p : crown_.skeleton.position) p.y *= static_cast<float>(tall_);
     for (LeafSite& l : crown_.leaves) l.position.y *= static_cast<float>(tall_);
     settle();

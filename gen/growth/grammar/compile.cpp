@@ -61,7 +61,7 @@ class Compiler {
   void check_numbers() {
     const GrammarText& text = grammar_.text;
     auto need = [&](bool good, std::string_view name, double value, std::string_view range) {
-      if (!good) errors_.push_back({"", fmt::format("`{}` is {}; it must be {}", name, value, range)});
+      if (!good) errors_.push_back(error_at("", "`{}` is {}; it must be {}", name, value, range));
     };
     need(text.steps >= 0, "steps", text.steps, "0 or more");
     need(std::isfinite(text.angle), "angle", text.angle, "finite");
@@ -76,7 +76,7 @@ class Compiler {
     for (const std::string& symbol : text.symbols)
       if (symbol.empty() || symbol.find_first_of("()[], \t\n") != symbol.npos)
         errors_.push_back(
-            {"symbols", fmt::format("`{}` cannot be a symbol: no blanks, commas or brackets", symbol)});
+            error_at("symbols", "`{}` cannot be a symbol: no blanks, commas or brackets", symbol));
   }
 
   void note(const Cursor& reader, std::string_view where) {
@@ -93,11 +93,11 @@ class Compiler {
       auto same = [&](const auto& other) { return other.first == texts[i].first; };
       if (!is_identifier(texts[i].first)) {
         errors_.push_back(
-            {"constants", fmt::format("`{}` is not a name; use letters, digits and _", texts[i].first)});
+            error_at("constants", "`{}` is not a name; use letters, digits and _", texts[i].first));
         done[i] = true;
       } else if (std::find_if(texts.begin(), texts.end(), same) - texts.begin() <
                  static_cast<std::ptrdiff_t>(i)) {
-        errors_.push_back({"constants", fmt::format("`{}` is given twice; remove one", texts[i].first)});
+        errors_.push_back(error_at("constants", "`{}` is given twice; remove one", texts[i].first));
         done[i] = true;
       }
     }
@@ -158,8 +158,8 @@ class Compiler {
 
   void read_rules(const std::vector<GrammarText::Rule>& texts, RuleSet& set, std::string_view kind) {
     if (texts.size() > kMostRules)
-      return errors_.push_back({"", fmt::format("{} {}s are more than can be told apart; {} are the most",
-                                                texts.size(), kind, kMostRules)});
+      return errors_.push_back(error_at("", "{} {}s are more than can be told apart; {} are the most",
+                                        texts.size(), kind, kMostRules));
     for (std::size_t i = 0; i < texts.size(); ++i) {
       Production rule;
       rule.where = texts[i].where.empty() ? fmt::format("{} {}", kind, i + 1) : texts[i].where;

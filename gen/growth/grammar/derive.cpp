@@ -45,15 +45,17 @@ constexpr int kDeepest = 100'000;  // levels of decomposition: beyond them there
 /// Why a step's decomposition was given up.
 Error trouble(const Expander& expander, int step, const Limits& limits) {
   if (expander.stop() == Expander::Stop::size)
-    return {"", fmt::format("step {} passes the limit of {} modules and {} bytes by decomposition; use fewer "
-                            "steps, or conditions that end sooner",
-                            step, limits.modules, limits.bytes)};
+    return error_at("",
+                    "step {} passes the limit of {} modules and {} bytes by decomposition; use fewer steps, "
+                    "or conditions that end sooner",
+                    step, limits.modules, limits.bytes);
   const Production& rule = expander.rule();
   if (expander.stop() == Expander::Stop::depth)
-    return {rule.where, fmt::format("step {}: `{}` takes its own outcome apart again and again, still so "
-                                    "after {} times; add a condition that ends it",
-                                    step, rule.text, kDeepest)};
-  return {rule.where, fmt::format("step {}: {}", step, expander.fault())};
+    return error_at(rule.where,
+                    "step {}: `{}` takes its own outcome apart again and again, still so after {} times; add "
+                    "a condition that ends it",
+                    step, rule.text, kDeepest);
+  return error_at(rule.where, "step {}: {}", step, expander.fault());
 }
 
 /// Applies decomposition rules until none applies any more; `parents`, where given, follow.
@@ -127,8 +129,8 @@ Errors advance_stepwise(const Grammar& grammar, Derivation& state, int steps, Se
     if (grammar.queries) answer_queries(grammar, state.word, seed, grammar.environment);
     ++state.steps;
     if (state.word.bytes() > limits.bytes)
-      return {{"", fmt::format("step {} passes the limit of {} bytes; use fewer steps", state.steps,
-                               limits.bytes)}};
+      return {
+          error_at("", "step {} passes the limit of {} bytes; use fewer steps", state.steps, limits.bytes)};
   }
   return {};
 }

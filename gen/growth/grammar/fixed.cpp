@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstring>
@@ -140,8 +139,8 @@ Errors advance_fixed(const Grammar& grammar, Derivation& state, int steps, const
     left -= at_once;
     if (!apply(images[static_cast<std::size_t>(at_once) - 1], state.word.symbols, next.symbols,
                std::min(limits.modules, limits.bytes)))
-      return {{"", fmt::format("by step {} the word passes the limit of {} modules; use fewer steps",
-                               state.steps + at_once, limits.modules)}};
+      return {error_at("", "by step {} the word passes the limit of {} modules; use fewer steps",
+                       state.steps + at_once, limits.modules)};
     std::swap(state.word, next);
     state.steps += at_once;
   }

@@ -1,7 +1,5 @@
 #include "grammar/forecast.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -250,11 +248,12 @@ Errors refuse(const Forecast& forecast, const Limits& limits) {
                          : forecast.kind == Forecast::Kind::expected ? "would have on average"
                          : forecast.kind == Forecast::Kind::at_least ? "would have at least"
                                                                      : "would have about";
-  return {{"", fmt::format("step {} {} {} modules or segments, past the limit of {} modules and {} bytes; "
-                           "the last step {} {} ({}): use at most {} steps, or raise `limits`",
-                           forecast.passes_at, how, count_text(forecast.passes_with), limits.modules,
-                           limits.bytes, how, count_text(forecast.modules), bytes_text(forecast.bytes),
-                           std::max(0, forecast.passes_at - 1))}};
+  return {error_at("",
+                   "step {} {} {} modules or segments, past the limit of {} modules and {} bytes; the last "
+                   "step {} {} ({}): use at most {} steps, or raise `limits`",
+                   forecast.passes_at, how, count_text(forecast.passes_with), limits.modules, limits.bytes,
+                   how, count_text(forecast.modules), bytes_text(forecast.bytes),
+                   std::max(0, forecast.passes_at - 1))};
 }
 
 }  // namespace frond

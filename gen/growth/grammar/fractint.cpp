@@ -61,11 +61,11 @@ Result<Entry> chosen(std::vector<Entry> entries, std::string_view system) {
     if (!system.empty() && upper(entry.name) == upper(system)) return std::move(entry);
   if (entries.empty()) return Error{"", "there is no L-system `Name { … }` of Fractint"};
   if (std::string_view near = nearest_name(system, names); !system.empty() && !near.empty())
-    return Error{"--system", fmt::format("there is no L-system `{}`; did you mean `{}`?", system, near)};
+    return error_at("--system", "there is no L-system `{}`; did you mean `{}`?", system, near);
   std::string list;
   for (std::size_t i = 0; i < names.size() && i < 40; ++i) list += (i == 0 ? "" : ", ") + names[i];
-  return Error{"--system", fmt::format("the file holds {} L-systems; expected the name of one: {}{}",
-                                       names.size(), list, names.size() > 40 ? ", …" : "")};
+  return error_at("--system", "the file holds {} L-systems; expected the name of one: {}{}", names.size(),
+                  list, names.size() > 40 ? ", …" : "");
 }
 
 class FractintReader {
@@ -77,8 +77,8 @@ class FractintReader {
     for (const Line& line : entry.lines)
       if (std::optional<Error> odd = odd_sign(line)) errors_.push_back(std::move(*odd));
     for (const Line& line : entry.lines) read_line(line);
-    if (!has_axiom_) errors_.push_back({"", fmt::format("the L-system `{}` has no axiom", entry.name)});
-    if (!(angles_ > 0)) errors_.push_back({"", fmt::format("the L-system `{}` has no angle", entry.name)});
+    if (!has_axiom_) errors_.push_back(error_at("", "the L-system `{}` has no axiom", entry.name));
+    if (!(angles_ > 0)) errors_.push_back(error_at("", "the L-system `{}` has no angle", entry.name));
     if (!errors_.empty()) return std::move(errors_);
     g_.angle = 360.0 / angles_;
     g_.axiom = word(axiom_, axiom_.text);
@@ -88,9 +88,9 @@ class FractintReader {
                          "F and G turn by + and -, D and M by \\ and /, each with a heading of their own; "
                          "both in one L-system cannot be had here"});
     for (const auto& [sign, line] : meaningless_)
-      g_.notes.push_back({fmt::format("line {}", line), fmt::format("`{}` means nothing to Fractint", sign)});
+      g_.notes.push_back(error_at(fmt::format("line {}", line), "`{}` means nothing to Fractint", sign));
     g_.notes.push_back(
-        {"file", fmt::format("Fractint asks for the order; {} is taken, --steps sets another", kUsualOrder)});
+        error_at("file", "Fractint asks for the order; {} is taken, --steps sets another", kUsualOrder));
     if (!errors_.empty()) return std::move(errors_);
     return std::move(g_);
   }

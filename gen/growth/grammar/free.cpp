@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstring>
@@ -187,11 +186,9 @@ std::optional<Errors> step_free(const Grammar& grammar, const Derivation& state,
   std::size_t modules = places[chunks].symbols_out,
               bytes = modules + places[chunks].parameters_out * sizeof(double);
   if (modules > limits.modules || bytes > limits.bytes)
-    return Errors{
-        {"",
-         fmt::format(
-             "step {} has {} modules ({} bytes), past the limit of {} modules and {} bytes; use fewer steps",
-             number, modules, bytes, limits.modules, limits.bytes)}};
+    return Errors{error_at(
+        "", "step {} has {} modules ({} bytes), past the limit of {} modules and {} bytes; use fewer steps",
+        number, modules, bytes, limits.modules, limits.bytes)};
   make_room(out.symbols, modules);
   make_room(out.parameters, places[chunks].parameters_out);
   std::vector<char> good(chunks);

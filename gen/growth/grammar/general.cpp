@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
@@ -91,8 +90,8 @@ class Rewriter {
     module.symbols.push_back(symbol);
     module.parameters.assign(parameters, parameters + grammar_.symbols[symbol].arity);
     const Production& rule = grammar_.rules.rules[static_cast<std::size_t>(index)];
-    return {rule.where, fmt::format("step {}, module {} (`{}`): {}", step_.state.steps + 1, i + 1,
-                                    text(grammar_, module), fault_in(rule.text, at_))};
+    return error_at(rule.where, "step {}, module {} (`{}`): {}", step_.state.steps + 1, i + 1,
+                    text(grammar_, module), fault_in(rule.text, at_));
   }
 
   const GeneralStep& step_;
@@ -158,8 +157,8 @@ Errors step_generally(const Grammar& grammar, Derivation& state, Word& out, Seed
   for (const Chunk& chunk : chunks)
     if (!chunk.errors.empty()) return chunk.errors;
   if (too_large())
-    return {{"", fmt::format("step {} passes the limit of {} modules and {} bytes; use fewer steps", number,
-                             limits.modules, limits.bytes)}};
+    return {error_at("", "step {} passes the limit of {} modules and {} bytes; use fewer steps", number,
+                     limits.modules, limits.bytes)};
   if (chunks.empty())
     out.clear();
   else

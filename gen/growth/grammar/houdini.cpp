@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "core/text.h"
 #include "grammar/houdini_words.h"
 #include "grammar/import.h"
 #include "grammar/import_text.h"
@@ -46,36 +47,11 @@ constexpr Scale kScales[] = {{"\"_", "stepscale", &GrammarText::length_scale},
                              {"!?", "thickscale", &GrammarText::width_scale},
                              {";@", "anglescale", &GrammarText::angle_scale}};
 
-/// Values that say how meshes are made, or that others here replace.
-constexpr std::string_view kIgnored[] = {"type",
-                                         "rows",
-                                         "columns",
-                                         "cols",
-                                         "tension",
-                                         "branchblend",
-                                         "smooth",
-                                         "contangl",
-                                         "contlength",
-                                         "contwidth",
-                                         "inc",
-                                         "continuousangles",
-                                         "continuouslength",
-                                         "docolor",
-                                         "applycolor",
-                                         "uvincrement",
-                                         "groupprefix",
-                                         "grpprefix",
-                                         "continuouswidth",
-                                         "colormap",
-                                         "imagefile",
-                                         "pointwidth",
-                                         "dotexture",
-                                         "vertinc",
-                                         "pictop"};
-
-bool is_one_of(std::span<const std::string_view> names, std::string_view name) {
-  return !name.empty() && std::ranges::find(names, name) != names.end();
-}
+/// Values that say how meshes are made, or that others here replace; with blanks between them.
+constexpr std::string_view kIgnored =
+    "type rows columns cols tension branchblend smooth contangl contlength contwidth inc continuousangles "
+    "continuouslength docolor applycolor uvincrement groupprefix grpprefix continuouswidth colormap "
+    "imagefile pointwidth dotexture vertinc pictop";
 
 /// `Step Size` and `step_size` are one name.
 std::string plain_name(std::string_view name) {
@@ -150,7 +126,8 @@ class HoudiniReader {
       return fail_words(line), true;
     }
     if (name == "ignore" || name == "contextignore") return g_.ignore = value, true;
-    if (is_one_of(kIgnored, name)) return note(fmt::format("`{}` has no effect here", label)), true;
+    if (std::ranges::count(split(kIgnored, ' '), name))
+      return note(fmt::format("`{}` has no effect here", label)), true;
     if (name == "generations") return read_steps(g_, number, line, errors_), true;
     if (name == "seed" || name == "randomseed" || name == "randseed")
       return read_count(g_.seed, number, kMostSeed, line, errors_), true;
@@ -163,7 +140,7 @@ class HoudiniReader {
 
   bool set_number(const std::string& name, double value) {
     for (const NodeNumber& known : kNumbers) {
-      if (!is_one_of(known.names, name)) continue;
+      if (name.empty() || std::ranges::count(known.names, name) == 0) continue;
       g_.*known.value = value;
       given_.emplace_back(known.names[1].empty() ? known.names[0] : known.names[1]);
       return true;

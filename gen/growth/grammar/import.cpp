@@ -45,13 +45,12 @@ std::string place_in(const Line& line, std::string_view part) {
 std::optional<Error> odd_sign(const Line& line) {
   std::optional<Lookalike> odd = find_lookalike(line.text);
   if (!odd) return std::nullopt;
-  return Error{place_in(line, line.text.substr(odd->at)),
-               fmt::format("{} is not {}, which is meant; write that", odd->name, odd->meant)};
+  return error_at(place_in(line, line.text.substr(odd->at)), "{} is not {}, which is meant; write that",
+                  odd->name, odd->meant);
 }
 
 Error not_a_count(const Line& line, double most) {
-  return {place_in(line, line.text),
-          fmt::format("`{}`: expected a number from 0 to {:.0f}", line.text, most)};
+  return error_at(place_in(line, line.text), "`{}`: expected a number from 0 to {:.0f}", line.text, most);
 }
 
 void read_steps(GrammarText& grammar, std::optional<double> given, const Line& line, Errors& errors) {

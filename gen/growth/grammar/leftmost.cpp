@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -117,8 +116,8 @@ Errors advance_leftmost(const Grammar& grammar, Derivation& state, int steps, Se
     }
     ++state.steps;
     if (cursor.size() > limits.modules || cursor.bytes() > limits.bytes)
-      return {{"", fmt::format("step {} passes the limit of {} modules and {} bytes; use fewer steps",
-                               state.steps, limits.modules, limits.bytes)}};
+      return {error_at("", "step {} passes the limit of {} modules and {} bytes; use fewer steps",
+                       state.steps, limits.modules, limits.bytes)};
   }
   cursor.finish();
   return {};

@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -256,7 +255,7 @@ Errors NeighbourTable::step(const Word& in, Word& out, const Limits& limits) {
   }
   out.symbols.resize(static_cast<std::size_t>(to - out.symbols.data()));
   if (out.size() > limits.modules)
-    return {{"", fmt::format("the word passes the limit of {} modules; use fewer steps", limits.modules)}};
+    return {error_at("", "the word passes the limit of {} modules; use fewer steps", limits.modules)};
   return {};
 }
 

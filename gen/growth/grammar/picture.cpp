@@ -136,9 +136,10 @@ Result<std::string> derivation_tree_svg(const Grammar& grammar, int steps, Seed 
   std::vector<std::uint32_t> parents;
   for (int step = 0;; ++step) {
     if (state.word.size() > kMostModules)
-      return Error{"", fmt::format("the word has {} modules after {} steps; a derivation tree is drawn for "
-                                   "{} at most: use fewer steps",
-                                   state.word.size(), step, kMostModules)};
+      return error_at("",
+                      "the word has {} modules after {} steps; a derivation tree is drawn for {} at most: "
+                      "use fewer steps",
+                      state.word.size(), step, kMostModules);
     rows.push_back(row_of(grammar, state.word, parents));
     if (step == steps) break;
     Errors errors = advance_tracked(grammar, state, seed, parents, grammar.text.limits);

@@ -169,9 +169,8 @@ std::optional<RuleParts> split_rule(Cursor& reader) {
 }
 
 Error complaint(const Cursor& reader, std::string_view where) {
-  return Error{std::string(where),
-               fmt::format("column {}: {}; in `{}`", column_of(reader.text, reader.mistake_at),
-                           reader.mistake, reader.text)};
+  return error_at(std::string(where), "column {}: {}; in `{}`", column_of(reader.text, reader.mistake_at),
+                  reader.mistake, reader.text);
 }
 
 }  // namespace frond

@@ -81,10 +81,10 @@ std::optional<Error> other_arity(const Grammar& grammar, std::size_t symbol, con
                     rule + 1, column_of(grammar.rules.rules[rule].text, grammar.rules.rules[rule].place));
   }
   if (others.empty()) return std::nullopt;
-  return Error{made.where,
-               fmt::format("column {}: `{}` has {} parameters here and is rewritten {} only, so it "
-                           "stays as it is; in `{}`",
-                           column_of(made.text, made.at), used.name, used.arity, others, made.text)};
+  return error_at(
+      made.where,
+      "column {}: `{}` has {} parameters here and is rewritten {} only, so it stays as it is; in `{}`",
+      column_of(made.text, made.at), used.name, used.arity, others, made.text);
 }
 
 /// A letter of another alphabet that looks like one that rules rewrite or the turtle knows.
@@ -95,9 +95,10 @@ std::optional<Error> twin_letter(const Grammar& grammar, const Symbol& symbol, c
   if (latin == '\0' ||
       (act_of(name, grammar.text.dialect) == Act::none && std::ranges::none_of(grammar.symbols, meant)))
     return std::nullopt;
-  return Error{made.where, fmt::format("column {}: `{}` is a letter of another alphabet that looks like "
-                                       "`{}`, and nothing rewrites it; in `{}`",
-                                       column_of(made.text, made.at), symbol.name, name, made.text)};
+  return error_at(made.where,
+                  "column {}: `{}` is a letter of another alphabet that looks like `{}`, and nothing "
+                  "rewrites it; in `{}`",
+                  column_of(made.text, made.at), symbol.name, name, made.text);
 }
 
 /// That nothing of the axiom is ever rewritten, though there are rules and steps.
@@ -112,14 +113,14 @@ std::optional<Error> unused_axiom(const Grammar& grammar) {
   if (grammar.text.steps == 0 || grammar.rules.empty() || !grammar.interpretation.empty() ||
       grammar.axiom.symbols.empty() || std::ranges::any_of(grammar.axiom.symbols, changes))
     return std::nullopt;
-  return Error{"axiom", fmt::format("column 1: no rule rewrites anything of `{}`, so it stays as it is",
-                                    grammar.text.axiom)};
+  return error_at("axiom", "column 1: no rule rewrites anything of `{}`, so it stays as it is",
+                  grammar.text.axiom);
 }
 
 }  // namespace
 
 Error in_rule(const Production& rule, std::size_t place, std::string_view what) {
-  return {rule.where, fmt::format("column {}: {}", column_of(rule.text, place), what)};
+  return error_at(rule.where, "column {}: {}", column_of(rule.text, place), what);
 }
 
 void find_odd_signs(const GrammarText& text, Errors& errors) {
@@ -130,10 +131,10 @@ void find_odd_signs(const GrammarText& text, Errors& errors) {
     std::optional<Lookalike> odd = find_lookalike(line);
     while (odd && is_symbol(line.substr(odd->at, odd->size))) odd = find_lookalike(line, odd->at + odd->size);
     if (!odd) return;
-    errors.push_back(
-        {std::string(where), fmt::format("column {}: {} is not {}, which is meant; write that, or name it in "
-                                         "`symbols` where it is a symbol of its own; in `{}`",
-                                         column_of(line, odd->at), odd->name, odd->meant, line)});
+    errors.push_back(error_at(std::string(where),
+                              "column {}: {} is not {}, which is meant; write that, or name it in `symbols` "
+                              "where it is a symbol of its own; in `{}`",
+                              column_of(line, odd->at), odd->name, odd->meant, line));
   };
   report_odd_sign("axiom", text.axiom);
   auto report_odd_signs = [&](const std::vector<GrammarText::Rule>& rules, std::string_view kind) {
@@ -229,10 +230,10 @@ Errors review_warnings(const Grammar& grammar) {
       warnings.push_back(std::move(*twin));
     } else if (draws && symbol.act == Act::none && made->where != "axiom" &&
                !is_known(grammar, symbol.name)) {
-      warnings.push_back(
-          {made->where, fmt::format("column {}: `{}` does nothing: no rule rewrites it and the "
-                                    "turtle does not know it; in `{}`",
-                                    column_of(made->text, made->at), symbol.name, made->text)});
+      warnings.push_back(error_at(
+          made->where,
+          "column {}: `{}` does nothing: no rule rewrites it and the turtle does not know it; in `{}`",
+          column_of(made->text, made->at), symbol.name, made->text));
     }
   }
   if (std::optional<Error> unused = unused_axiom(grammar)) warnings.push_back(std::move(*unused));

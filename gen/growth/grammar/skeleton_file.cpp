@@ -29,7 +29,7 @@ std::vector<double> numbers_of(std::string_view text, Errors& errors, const Line
     std::size_t end = std::min(text.find_first_of(" \t,"), text.size());
     std::optional<double> value = number(text.substr(0, end));
     if (!value)
-      return errors.push_back({place_in(line, text), fmt::format("`{}` is no number", text.substr(0, end))}),
+      return errors.push_back(error_at(place_in(line, text), "`{}` is no number", text.substr(0, end))),
              numbers;
     numbers.push_back(*value);
     text.remove_prefix(std::min(end + 1, text.size()));
@@ -61,16 +61,15 @@ class SkeletonFile {
     if (!errors.empty()) return;
     if (row.size() < 7)
       return errors.push_back(
-          {place_in(line, line.text),
-           fmt::format("found {} numbers; expected seven: number, type, x, y, z, radius and "
-                       "the parent's number",
-                       row.size())});
+          error_at(place_in(line, line.text),
+                   "found {} numbers; expected seven: number, type, x, y, z, radius and the parent's number",
+                   row.size()));
     auto id = std::llround(row[0]);
     if (!index_.try_emplace(id, nodes.size()).second)
-      return errors.push_back({place_in(line, line.text), fmt::format("the node {} is there twice", id)});
+      return errors.push_back(error_at(place_in(line, line.text), "the node {} is there twice", id));
     if (row[5] < 0)
       return errors.push_back(
-          {place_in(line, line.text), fmt::format("the radius is {}; expected 0 or more", row[5])});
+          error_at(place_in(line, line.text), "the radius is {}; expected 0 or more", row[5]));
     DVec3 at = z_up_ ? DVec3{row[2], row[4], -row[3]} : DVec3{row[2], row[3], row[4]};
     nodes.push_back({at, row[5], std::llround(row[6]), line, {}});
   }
@@ -83,9 +82,9 @@ class SkeletonFile {
       }
       auto parent = index_.find(nodes[i].parent);
       if (parent == index_.end())
-        return errors.push_back(
-            {place_in(nodes[i].line, nodes[i].line.text),
-             fmt::format("there is no node {} to hang from; a first node has -1", nodes[i].parent)});
+        return errors.push_back(error_at(place_in(nodes[i].line, nodes[i].line.text),
+                                         "there is no node {} to hang from; a first node has -1",
+                                         nodes[i].parent));
       nodes[parent->second].children.push_back(i);
     }
   }
@@ -230,7 +229,7 @@ Result<GrammarText> import_skeleton(std::string_view text, bool z_up) {
     low = glm::min(low, node.at), high = glm::max(high, node.at), bare += node.radius == 0;
   if (bare > 0)
     grammar.notes.push_back(
-        {"file", fmt::format("{} nodes have no radius; the least of the others is taken", bare)});
+        error_at("file", "{} nodes have no radius; the least of the others is taken", bare));
   if (high.z - low.z > 1.5 * (high.y - low.y))
     grammar.notes.push_back(
         {"file", "is higher along z than along y: where z is up, turn it when it is imported, by --z-up"});

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <fmt/format.h>
-
 #include "grammar/forecast.h"
 #include "grammar/turtle.h"
 
@@ -37,7 +35,7 @@ class Stream {
     }
     turtle_.feed(symbol, parameters);
     if (left_-- > 0) return true;
-    trouble_ = {"", fmt::format("the word passes the limit of {} modules; use fewer steps", limit_)};
+    trouble_ = error_at("", "the word passes the limit of {} modules; use fewer steps", limit_);
     return false;
   }
 
@@ -67,7 +65,7 @@ class Stream {
   }
 
   bool fail(const Production& rule, std::size_t level, const Evaluation& at) {
-    trouble_ = {rule.where, fmt::format("step {}: {}", level + 1, fault_in(rule.text, at))};
+    trouble_ = error_at(rule.where, "step {}: {}", level + 1, fault_in(rule.text, at));
     return false;
   }
 

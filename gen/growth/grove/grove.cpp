@@ -99,9 +99,7 @@ void cast_light(LightField& field, const std::vector<Tree>& trees, const GroveOp
   for (const Tree& tree : trees) floor = std::min(floor, tree.seedling->foot.y);
   for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
   Seed jitter = options.seed.child("grid").child(static_cast<std::uint64_t>(year));
-  field.cast(all, floor,
-             Vec3(static_cast<float>(jitter.child(0).unit()), static_cast<float>(jitter.child(1).unit()),
-                  static_cast<float>(jitter.child(2).unit())));
+  field.cast(all, floor, Vec3(jitter.child(0).unit(), jitter.child(1).unit(), jitter.child(2).unit()));
 }
 
 /// What a side branch that falls leaves on what bore it.

@@ -55,8 +55,7 @@ Vec3 squared(Vec3 side, Vec3 direction) {
 }
 
 Vec3 random_vector(Seed seed) {
-  return Vec3(static_cast<float>(seed.child(1).range(-1, 1)), static_cast<float>(seed.child(2).range(-1, 1)),
-              static_cast<float>(seed.child(3).range(-1, 1)));
+  return Vec3(seed.child(1).range(-1, 1), seed.child(2).range(-1, 1), seed.child(3).range(-1, 1));
 }
 
 /// Whether a metamer hangs so low that nothing can grow on from it.
@@ -144,7 +143,7 @@ void add_shoot(Metamers& t, const Season& season, const Shoot& shoot, std::size_
   // The buds of a branch begin level, so that sprays whose buds stand opposite lie flat.
   Vec3 side = shoot.leader ? t.side[from] : squared(glm::cross(direction, Vec3(0, 1, 0)), direction);
   double lift = order == 0 ? s.tropism : s.branch_tropism - s.droop * (order - 1);
-  Vec3 pull = shoot.to_light * static_cast<float>(s.light_pull) + Vec3(0, static_cast<float>(lift), 0);
+  Vec3 pull = shoot.to_light * static_cast<float>(s.light_pull) + Vec3(0, lift, 0);
   float level = order == 0 ? 1.0f : static_cast<float>(1 - s.spread);
   Vec3 place = t.tip[from];
   const bool anew = !shoot.leader && t.has(from, Metamers::spent);

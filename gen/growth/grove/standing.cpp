@@ -104,8 +104,8 @@ class Stander {
     double angle = kTipping * down * down / (down + 0.5);
     piece.turn = glm::angleAxis(static_cast<float>(std::min(angle, 1.3)), Vec3(out.z, 0, -out.x));
     double gone = std::max(0.0, time - landing) / std::max(filming_.lie, 0.01);
-    piece.shift = Vec3(0, static_cast<float>(-kFallInAir / 2 * down * down - 0.1 * gone), 0) +
-                  out * static_cast<float>(0.25 * down);
+    piece.shift =
+        Vec3(0, -kFallInAir / 2 * down * down - 0.1 * gone, 0) + out * static_cast<float>(0.25 * down);
     piece.share = static_cast<float>(1 - smooth_step(0.0, 1.0, gone));
     pieces_.push_back(piece);
     return static_cast<std::int32_t>(pieces_.size()) - 1;

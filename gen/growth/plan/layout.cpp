@@ -11,7 +11,7 @@ constexpr float kShortest = 0.1f;  // metres, of a line
 
 /// The middle of a cell.
 Vec2 middle_of(const PlanText& text, Vec2 cell) {
-  Vec2 half = Vec2(static_cast<float>(text.size[0] - 1), static_cast<float>(text.size[1] - 1)) / 2.0f;
+  Vec2 half = Vec2(text.size[0] - 1, text.size[1] - 1) / 2.0f;
   return static_cast<float>(text.cell) * Vec2(cell.x - half.x, half.y - cell.y);
 }
 
@@ -32,7 +32,7 @@ struct Door {
 Door door_of(const PlanText& text, const PlanRoom& room, const PlanStep& step) {
   bool leaves = room.holds(step.from);
   PlanCell inner = leaves ? step.from : step.to, outer = leaves ? step.to : step.from;
-  Vec2 out(static_cast<float>(outer.x - inner.x), static_cast<float>(inner.y - outer.y));
+  Vec2 out(outer.x - inner.x, inner.y - outer.y);
   auto edge = static_cast<float>(text.cell / 2 - text.rooms[room.kind].inset);
   return {middle_of(text, Vec2(inner)) + edge * out, out};
 }
@@ -99,7 +99,7 @@ std::vector<PlanSite> way_sites(const PlanText& text, const GroundPlan& plan) {
     for (std::size_t i = 0; i < lower.size();) {
       PlanCell low = lower[i], high = low + next;
       for (++i; i < lower.size() && lower[i] == high && plan.at(high) == GroundPlan::kWay; ++i) high += next;
-      Vec2 forth(static_cast<float>(next.x), static_cast<float>(-next.y));
+      Vec2 forth(next.x, -next.y);
       Vec2 a = way_end(text, plan, low, -forth), b = way_end(text, plan, high, forth);
       Vec2 across = static_cast<float>(text.way) * Vec2(axis == 1, axis == 0);
       ways.push_back({(a + b) / 2.0f, glm::abs(b - a) + across});

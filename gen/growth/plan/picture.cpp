@@ -22,8 +22,7 @@ std::string rectangle_svg(const PlanSite& site, std::string_view fill) {
 std::string lines_svg(const std::vector<PlanSite>& lines, double width, std::string_view color) {
   std::string out = fmt::format("<path stroke=\"{}\" stroke-width=\"{:g}\" d=\"", color, width);
   for (const PlanSite& line : lines) {
-    Vec2 half = 0.5f * line.size.x *
-                Vec2(static_cast<float>(std::cos(line.turn)), static_cast<float>(-std::sin(line.turn)));
+    Vec2 half = 0.5f * line.size.x * Vec2(std::cos(line.turn), -std::sin(line.turn));
     Vec2 from = line.at - half, to = line.at + half;
     out += fmt::format("M{:.2f} {:.2f}L{:.2f} {:.2f}", from.x, from.y, to.x, to.y);
   }

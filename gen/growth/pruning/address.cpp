@@ -68,9 +68,9 @@ Result<std::int32_t> find_axis(const Branching& plant, std::span<const std::int3
       axis = found;
       continue;
     }
-    if (level == 0) return Error{"", fmt::format("finds no stem: there are {}", others.size())};
-    return Error{"", fmt::format("finds no branch: {} has {}",
-                                 name_of(address, address.axes.size() - level + 1), told(others))};
+    if (level == 0) return error_at("", "finds no stem: there are {}", others.size());
+    return error_at("", "finds no branch: {} has {}", name_of(address, address.axes.size() - level + 1),
+                    told(others));
   }
   return axis;
 }
@@ -79,7 +79,7 @@ Result<std::int32_t> find_axis(const Branching& plant, std::span<const std::int3
 
 Result<Address> parse_address(std::string_view given) {
   std::string_view rest = given;
-  auto fault = [&] { return Error{"", fmt::format("found \"{}\"; expected {}", given, kAddressForm)}; };
+  auto fault = [&] { return error_at("", "found \"{}\"; expected {}", given, kAddressForm); };
   Address address;
   bool more = !rest.empty() && rest.front() != ':';
   if (consume(rest, '#')) {

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "core/result.h"
 #include "model/bark.h"
 #include "pruning/address.h"
 

@@ -105,18 +105,10 @@ Result<LinearRaster> drawn(const SmallScene& scene, const BakeOptions& options) 
   command.folder = folder.path();
   command.out = command.err = said.descriptor();
   command.environment = {"POVINI=" + (fs::absolute(options.home) / "scripts/povray.ini").string()};
-  command.words = {program->string(),
-                   "+Iswatch.pov",
-                   "+Oswatch.png",
-                   "+FN16",
-                   "File_Gamma=1.0",
-                   "-D",
-                   scene.smooth ? "+A0.1" : "-A",
-                   "+WT1",
-                   fmt::format("+W{}", scene.pixels[0]),
-                   fmt::format("+H{}", scene.pixels[1]),
-                   "+Lpovinc"};
-  if (scene.rows > 0) command.words.push_back(fmt::format("+ER{}", scene.rows));
+  command.words = {program->string(), "+Iswatch.pov", "+Oswatch.png", "+FN16", "File_Gamma=1.0", "-D"};
+  command.add({scene.smooth ? "+A0.1" : "-A", "+WT1", fmt::format("+W{}", scene.pixels[0]),
+               fmt::format("+H{}", scene.pixels[1]), "+Lpovinc"});
+  if (scene.rows > 0) command.add({fmt::format("+ER{}", scene.rows)});
   Result<int> status = run(command);
   if (!status) return failed(status.errors()[0].text());
   Result<std::string> bytes = read_file(folder.path() / "swatch.png");

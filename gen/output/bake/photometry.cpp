@@ -29,13 +29,6 @@ VecGrid seamless_across(const VecGrid& larger, int wide) {
   return made;
 }
 
-VecGrid transposed(const VecGrid& grid) {
-  VecGrid made(grid.height, grid.width);
-  for (int y = 0; y < grid.height; ++y)
-    for (int x = 0; x < grid.width; ++x) made.at(y, x) = grid.at(x, y);
-  return made;
-}
-
 }  // namespace
 
 VecGrid part_of(const LinearRaster& raster, double white, int left, int top, int wide, int high) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
 #include "core/vec.h"
 #include "images/raster.h"
@@ -9,18 +8,7 @@
 namespace frond {
 
 /// Linear light or directions, rows from the top down.
-struct VecGrid {
-  int width = 0, height = 0;
-  std::vector<Vec3> data;
-
-  VecGrid(int wide, int high) : width(wide), height(high) {
-    data.resize(static_cast<std::size_t>(wide) * static_cast<std::size_t>(high));
-  }
-  Vec3& at(int x, int y) {
-    return data[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
-  }
-  const Vec3& at(int x, int y) const { return const_cast<VecGrid*>(this)->at(x, y); }
-};
+using VecGrid = PixelGrid<Vec3>;
 
 /// A part of a picture, of so much light where it is white.
 VecGrid part_of(const LinearRaster& raster, double white, int left, int top, int wide, int high);

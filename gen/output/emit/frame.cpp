@@ -1,7 +1,5 @@
 #include "emit/frame.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

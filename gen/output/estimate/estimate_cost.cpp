@@ -9,7 +9,6 @@
 #include "draw/eyes.h"
 #include "draw/levels.h"
 #include "draw/solids.h"
-#include "emit/setting.h"
 #include "estimate/estimate_ground_cost.h"
 #include "estimate/estimate_pictures.h"
 #include "field/volume.h"
@@ -144,7 +143,7 @@ WoodCostEstimate estimate_wood_cost(const Organism& organism, const SizeEstimate
 /// its middle.
 double pixel_at(const Preset& preset, const Organism& organism, double tall, double reach) {
   Vec2 foot = organism.place.at.empty() ? organism.place.center : organism.place.at[0];
-  Vec3 middle(foot.x, static_cast<float>(organism.place.raise + tall / 2), foot.y);
+  Vec3 middle(foot.x, organism.place.raise + tall / 2, foot.y);
   return nearest_pixel(eyes(preset.film, preset.setup.camera), middle, reach);
 }
 

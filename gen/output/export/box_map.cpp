@@ -46,7 +46,7 @@ Surface box_mapped(const Surface& surface, std::vector<std::uint32_t>* of_vertex
 }
 
 void lay_picture(Surface& surface, double wide, double high, Vec2 shift) {
-  Vec2 size(static_cast<float>(1 / wide), static_cast<float>(1 / high));
+  Vec2 size(1 / wide, 1 / high);
   for (Vec2& at : surface.uv) at = at * size + shift;
 }
 

@@ -205,12 +205,10 @@ Result<std::vector<Model>> swarm_of(const Specimen& b, const Specimen& now, cons
     auto then = developed(b, keys[k]);
     if (!then) return then.errors();
     if (!is_same_swarm(now.model, (*then)->model))
-      return Error{
-          "",
-          fmt::format(
-              "{} changes its shape with its seasons, its years or the steps of its grammar, which one mesh "
-              "cannot follow: export single frames, with --frame",
-              b.name)};
+      return error_at("",
+                      "{} changes its shape with its seasons, its years or the steps of its grammar, which "
+                      "one mesh cannot follow: export single frames, with --frame",
+                      b.name);
     swarm.push_back((*then)->model);
   }
   return swarm;

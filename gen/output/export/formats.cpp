@@ -1,7 +1,5 @@
 #include "export/formats.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 
@@ -46,8 +44,7 @@ Result<bool> write_obj(const ExportScene& exported, const ExportOptions&, const 
   if (written) written = write(materials, mtl_text(named));
   for (std::size_t i = 0; written && i < named.pictures.size(); ++i)
     written = write(path.parent_path() / (named.pictures[i].name + ".png"), named.pictures[i].png);
-  std::error_code error;
-  for (std::size_t i = 0; !written && i < there.size(); ++i) fs::remove(there[i], error);
+  for (std::size_t i = 0; !written && i < there.size(); ++i) remove_file(there[i]);
   return written;
 }
 
@@ -82,12 +79,13 @@ Errors refuse_bytes(const Format& format, double bytes) {
   // A file is put together in memory, beside the meshes.
   double memory = 0.9 * this_machine(".").memory;
   if (bytes > format.most_bytes)
-    return {Error{"", fmt::format("would take about {}; such a file holds {} at most", bytes_text(bytes),
-                                  bytes_text(format.most_bytes))}};
+    return {error_at("", "would take about {}; such a file holds {} at most", bytes_text(bytes),
+                     bytes_text(format.most_bytes))};
   if (bytes > memory)
-    return {Error{"", fmt::format("would take about {}, more than the {} that this machine's memory has for "
-                                  "it; a .glb holds each model once, however many copies stand",
-                                  bytes_text(bytes), bytes_text(memory))}};
+    return {error_at("",
+                     "would take about {}, more than the {} that this machine's memory has for it; a .glb "
+                     "holds each model once, however many copies stand",
+                     bytes_text(bytes), bytes_text(memory))};
   return {};
 }
 
@@ -102,8 +100,8 @@ Result<const Format*> format_of(const fs::path& path) {
     known += known.empty() ? "" : ", ";
     known += format.extension;
   }
-  return Error{path.string(),
-               fmt::format("\"{}\" is no format that is known; expected one of {}, .inc", extension, known)};
+  return error_at(path.string(), "\"{}\" is no format that is known; expected one of {}, .inc", extension,
+                  known);
 }
 
 Result<std::vector<std::string>> write_scene(const Format& format, const Scene& scene, double time,

@@ -315,8 +315,8 @@ Result<std::string> container(std::string json, const std::string& binary) {
   json.resize((json.size() + 3) / 4 * 4, ' ');
   std::size_t total = 12 + 8 + json.size() + (binary.empty() ? 0 : 8 + binary.size());
   if (total > 4294967295u)
-    return Error{"", fmt::format("would take {}; a .glb file holds 4.29 GB at most",
-                                 bytes_text(static_cast<double>(total)))};
+    return error_at("", "would take {}; a .glb file holds 4.29 GB at most",
+                    bytes_text(static_cast<double>(total)));
   std::string bytes = "glTF";
   bytes.reserve(total);
   for (std::size_t word : {std::size_t{2}, total, json.size()}) append_word(bytes, word);

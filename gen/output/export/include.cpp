@@ -67,7 +67,7 @@ class Writer {
       for (std::size_t i = 0; i < set.copies.size(); ++i) {
         auto wide = static_cast<float>(set.organism.sown->where.radius);
         box_.extend(set.copies.foot[i] + Vec3(-wide, 0, -wide));
-        box_.extend(set.copies.foot[i] + Vec3(wide, static_cast<float>(tall_of(set)), wide));
+        box_.extend(set.copies.foot[i] + Vec3(wide, tall_of(set), wide));
       }
     shapes_ += fmt::format("#macro {}_Parts_{}()\n#local Frond_Unit = {};\n", what_.name, v,
                            number_text(parts.space.unit));
@@ -101,7 +101,7 @@ class Writer {
     if (solids_ > 0) objects.insert(0, fmt::format("{}_Solids_{}()\n", what_.name, v));
     bool last = f + 1 == what_.frames.size();
     if (count == 0 && last)
-      return {Error{"", fmt::format("{}frame {}; expected another --frame", kNothingYet, what_.frames[f])}};
+      return {error_at("", "{}frame {}; expected another --frame", kNothingYet, what_.frames[f])};
     if (count == 0) objects = "sphere{0,1e-6 no_image no_shadow no_reflection}\n", count = 1;
     shapes_ += fmt::format("#macro {}_Make_{}_{}_{}()\n", what_.name, v, detail, f);
     shapes_ += fmt::format("{}_Parts_{}()\n", what_.name, v);

@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -48,9 +47,10 @@ Errors add_copies(Gathered& all, const std::vector<SownBranches>& sown) {
     bytes += kSegmentBytes * static_cast<double>(shapes.back().size() * model.copies.size());
   }
   if (bytes > all.options.limit)
-    return {Error{"", fmt::format("the branches of all copies would take about {} of memory, more than the "
-                                  "limit of {}; a larger --voxel leaves more of the thin ones out",
-                                  bytes_text(bytes), bytes_text(all.options.limit))}};
+    return {error_at("",
+                     "the branches of all copies would take about {} of memory, more than the limit of {}; a "
+                     "larger --voxel leaves more of the thin ones out",
+                     bytes_text(bytes), bytes_text(all.options.limit))};
   std::vector<Vec3> position;
   std::vector<float> radius;
   for (std::size_t m = 0; m < sown.size(); ++m)

@@ -25,10 +25,7 @@ class Unnamed {
     ::gethostname(host, sizeof host - 1);
     path_ = farm / fmt::format(".new.{}.{}", host, ::getpid());
   }
-  ~Unnamed() {
-    std::error_code error;
-    fs::remove_all(path_, error);
-  }
+  ~Unnamed() { remove_tree(path_); }
   Unnamed(const Unnamed&) = delete;
   Unnamed& operator=(const Unnamed&) = delete;
 
@@ -66,8 +63,8 @@ Errors make_copies(const fs::path& folder, const std::vector<Copy>& copies, Stop
     fs::create_directories((folder / copy.to).parent_path(), error);
     if (!error) fs::copy_file(copy.from, folder / copy.to, fs::copy_options::overwrite_existing, error);
     if (error)
-      return {{"", fmt::format("{} could not be written: {}: {}", folder.parent_path().string(),
-                               copy.from.string(), reason_of(error))}};
+      return {error_at("", "{} could not be written: {}: {}", folder.parent_path().string(),
+                       copy.from.string(), reason_of(error))};
     if (stop.asked()) return {{"", "interrupted before anything was handed out"}};
   }
   return {};
@@ -112,9 +109,8 @@ Errors lead_to(const fs::path& farm, const std::string& name) {
   fs::create_directory_symlink(name, temporary, error);
   if (!error) fs::rename(temporary, farm / "latest", error);
   if (!error) return {};
-  std::error_code ignored;
-  fs::remove(temporary, ignored);
-  return {{"", fmt::format("{} could not be written: {}", (farm / "latest").string(), reason_of(error))}};
+  remove_file(temporary);
+  return {error_at("", "{} could not be written: {}", (farm / "latest").string(), reason_of(error))};
 }
 
 }  // namespace
@@ -142,8 +138,8 @@ Command generate_command(const fs::path& job, const FarmCall& call, const fs::pa
   command.words = {(job / "tool" / "frond").string(), "generate", copy_of(call.preset),
                    "--out=" + out.string(), "-q"};
   if (!call.assets.empty()) command.words.push_back("--assets=" + copy_of(call.assets));
-  command.words.insert(command.words.end(), call.options.begin(), call.options.end());
-  command.words.insert(command.words.end(), options.begin(), options.end());
+  command.add(call.options);
+  command.add(options);
   command.environment = {"FROND_HOME=" + (job / "tool").string()};
   command.folder = copy_of(call.folder);
   command.end_with = SIGTERM;

@@ -93,15 +93,9 @@ RenderedFilm render_on_hosts(const Handed& film, const std::string& hosts, RunEv
   fs::path list = film.job / "tasks";
   if (Result<bool> written = write_file(list, task_lines(film)); !written) return {{written.errors()}, {}};
   Command command;
-  command.words = {"parallel",
-                   "-0",
-                   "--will-cite",
-                   "--sshlogin",
-                   "1/" + commas_to(hosts, ",1/"),
-                   "--retries",
-                   "3",
-                   "--joblog",
-                   (film.job / "log" / "hosts").string()};
+  command.words = {"parallel", "-0", "--will-cite"};
+  command.add({"--sshlogin", "1/" + commas_to(hosts, ",1/"), "--retries", "3", "--joblog",
+               (film.job / "log" / "hosts").string()});
   command.in = ::open(list.c_str(), O_RDONLY | O_CLOEXEC);
   command.out = 2;
   command.end_with = SIGTERM;

@@ -18,8 +18,7 @@ namespace {
 constexpr int kBlock = 32;  // rows; bands are of whole blocks of POV-Ray
 
 bool is_there(const fs::path& pictures, const std::string& name) {
-  std::error_code error;
-  return fs::exists(pictures / (name + ".png"), error);
+  return path_exists(pictures / (name + ".png"));
 }
 
 Result<FarmPlan> plan_bands(const fs::path& folder, const fs::path& pictures, int bands) {

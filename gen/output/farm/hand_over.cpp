@@ -32,7 +32,7 @@ Outcome check_queue(const FarmOrder& order, const fs::path& farm) {
     if (!there) return {there.errors()};
     std::string names;
     for (const std::string& name : *there) names += " " + name;
-    return {{{"", fmt::format("--partition: there is no '{}'; there is{}", *order.partition, names)}}, true};
+    return {{error_at("", "--partition: there is no '{}'; there is{}", *order.partition, names)}, true};
   }
   Result<std::string> jobs = read_file(farm / "latest" / "jobs");
   if (jobs && !slurm_tasks(jobs_in(*jobs), "PENDING,RUNNING,COMPLETING").empty())
@@ -81,9 +81,8 @@ Outcome make_job(const FarmOrder& order, const Preset& preset, Handed& to, Stop&
       make_farm_folder(to.farm, call_of(order, preset.film), *program, {files.begin(), files.end()}, stop);
   if (!job) return {job.errors(), false, stop.asked()};
   to.job = *job;
-  std::error_code error;
-  for (const fs::path& note : files_in(to.job / "failed")) fs::remove(note, error);
-  fs::remove(to.job / "bands", error);
+  for (const fs::path& note : files_in(to.job / "failed")) remove_file(note);
+  remove_file(to.job / "bands");
   return {write_surroundings(to.job, to.site)};
 }
 
@@ -105,7 +104,7 @@ Outcome make_plan(const FarmOrder& order, Handed& to, RunEvents& events) {
       events.note(line);
     else
       errors.push_back({"", line});
-  if (*code != 0 && errors.empty()) errors = {{"", fmt::format("frond ended with exit code {}", *code)}};
+  if (*code != 0 && errors.empty()) errors = {error_at("", "frond ended with exit code {}", *code)};
   if (*code != 0) return {errors, *code == kWrongInput};
   constexpr int kMostElsewhere = 100'000;
   bool slurm = !order.hosts && !order.openjd && !order.opencue;

@@ -122,9 +122,7 @@ class ModelWriter {
     for (SownModel::Use& use : one.uses) {
       use.plan = views_.plan(use.copy_set, one.number, one.summary.surfels);
       for (const ModelFile& file : use.plan.files) {
-        std::error_code none;
-        bool known =
-            one.summary.parts.contains({file.level, file.block}) && fs::exists(folder_ / file.name, none);
+        bool known = one.summary.parts.contains({file.level, file.block}) && path_exists(folder_ / file.name);
         if (!known && names.insert(file.name).second)
           one.missing[static_cast<std::size_t>(file.level)].push_back(file);
       }

@@ -58,8 +58,7 @@ class Gallery {
     Result<std::string> text = read_file(scene_ids_file(root_));
     SceneIds noted = read_scene_ids(text ? *text : "");
     for (const std::string& name : names_.empty() ? all_names() : names_) {
-      std::error_code error;
-      if (!fs::exists(root_ / "docs" / "gallery" / (name + ".jpg"), error)) {
+      if (!path_exists(root_ / "docs" / "gallery" / (name + ".jpg"))) {
         found(name, "there is no such picture");
       } else if (!noted.contains(name)) {
         found(name, "what it shows is not noted");
@@ -197,13 +196,8 @@ class Gallery {
     std::string picture = name + ".png";
     OutputCapture said;  // POV-Ray's own, which are many
     Command render;
-    render.words = {environment_or("FROND_POVRAY", "povray"),
-                    "+I" + scene.string(),
-                    "+O" + picture,
-                    fmt::format("+W{}", example.size[0]),
-                    fmt::format("+H{}", example.size[1]),
-                    "+A",
-                    "-D"};
+    render.words = {environment_or("FROND_POVRAY", "povray"), "+I" + scene.string(), "+O" + picture};
+    render.add({fmt::format("+W{}", example.size[0]), fmt::format("+H{}", example.size[1]), "+A", "-D"});
     render.folder = folder;
     render.out = render.err = said.descriptor();
     render.end_with = SIGTERM;
@@ -285,13 +279,12 @@ class Gallery {
     fs::path file = root_ / "docs" / "gallery.md";
     Result<std::string> before = read_file(file);
     std::vector<std::string> rows;
-    std::error_code error;
     for (const GalleryPicture& picture : list_.pictures) {
       Result<std::string> noted = read_file(work_ / "rows" / picture.name);
       std::string row = noted ? noted->substr(0, noted->find('\n'))
                               : row_on_page(before ? *before : std::string_view(), picture.name);
       if (row.empty()) continue;
-      bool large = fs::exists(root_ / "docs" / "gallery" / "large" / (picture.name + ".jpg"), error);
+      bool large = path_exists(root_ / "docs" / "gallery" / "large" / (picture.name + ".jpg"));
       rows.push_back(large ? row_with_large(row, picture.name) : row);
     }
     Result<bool> written = write_file(file, gallery_page(rows));
@@ -309,11 +302,10 @@ class Gallery {
     std::string all;
     for (const Still& one : stills) {
       fs::path folder = known.string() + "-scene";
-      std::error_code error;
-      fs::remove_all(folder, error);
+      remove_tree(folder);
       if (Errors errors = write_scene(root_, one, folder); !errors.empty()) return errors;
       Result<std::string> id = scene_id(root_, folder / "frames", scenes_of(folder, one.frame));
-      fs::remove_all(folder, error);
+      remove_tree(folder);
       if (!id) return id;
       all += *id + "\n";
     }
@@ -336,8 +328,7 @@ class Gallery {
     fs::path scene = root_ / "docs" / "examples" / (name.substr(kExamplePrefix.size()) + ".pov");
     Result<ExampleScene> written = write_example(scene, folder);
     Result<std::string> id = written ? scene_id(root_, folder, {scene}) : written.errors();
-    std::error_code error;
-    fs::remove_all(folder, error);
+    remove_tree(folder);
     return id;
   }
 

@@ -70,7 +70,7 @@ Errors call_for(const fs::path& root, std::vector<std::string> words, const fs::
   command.end_with = SIGTERM;
   Result<int> code = run(command);
   if (!code) return code.errors();
-  return *code == 0 ? Errors{} : Errors{{"", fmt::format("{} ended with exit code {}", what, *code)}};
+  return *code == 0 ? Errors{} : Errors{error_at("", "{} ended with exit code {}", what, *code)};
 }
 
 Errors write_scene(const fs::path& root, const Still& still, const fs::path& folder) {

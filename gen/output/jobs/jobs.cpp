@@ -119,8 +119,7 @@ std::string ninja_text(const JobList& jobs) {
   assert(!jobs.frames.empty() && !povray_flags(jobs.quality, jobs.lens).empty());
   std::string text =
       "# What is to be rendered, written by `frond generate`. Run `ninja` in this folder; what is up to date "
-      "is not\n"
-      "# made again.\nninja_required_version = 1.7\n\n";
+      "is not\n# made again.\nninja_required_version = 1.7\n\n";
   append_variable(text, "povinc", jobs.povinc);
   append_variable(text, "frond", shell_quoted(jobs.program));
   append_variable(text, "size", fmt::format("{}x{}", jobs.size[0], jobs.size[1]));

@@ -16,8 +16,8 @@ bool is_resolved(const Film& film, const std::optional<bool>& asked) {
 
 Errors refuse_resolving(const Film& film, const std::optional<bool>& asked) {
   if (!asked.value_or(false) || !film.sampled()) return {};
-  return {{"--resolve", fmt::format("frames are not resolved {}; expected --no-resolve, or neither",
-                                    film.crop ? "in parts" : "with a transparent background")}};
+  return {error_at("--resolve", "frames are not resolved {}; expected --no-resolve, or neither",
+                   film.crop ? "in parts" : "with a transparent background")};
 }
 
 Result<FrameRange> read_frames(const std::string& text, int count) {
@@ -34,10 +34,9 @@ Result<FrameRange> read_frames(const std::string& text, int count) {
                           ? "this preset is a still, which has frame 1 alone; expected 1, or a film, as "
                             "by --seconds 4"
                           : fmt::format("the film has frames 1-{}", count);
-  if (written) return Error{"--frames", fmt::format("found {}, but {}", text, there)};
-  return Error{"--frames",
-               fmt::format("\"{}\" is no range of frames; expected A-B, as in 1-{}, or one number; {}", text,
-                           std::max(count, 2), there)};
+  if (written) return error_at("--frames", "found {}, but {}", text, there);
+  return error_at("--frames", "\"{}\" is no range of frames; expected A-B, as in 1-{}, or one number; {}",
+                  text, std::max(count, 2), there);
 }
 
 Result<FrameRange> read_frames(const std::optional<std::string>& text, int count, FrameRange usual) {
@@ -45,8 +44,7 @@ Result<FrameRange> read_frames(const std::optional<std::string>& text, int count
 }
 
 Result<int> read_frame(int asked, int count) {
-  if (asked > count)
-    return Error{"--frame", fmt::format("{} is no frame of this film; expected 1-{}", asked, count)};
+  if (asked > count) return error_at("--frame", "{} is no frame of this film; expected 1-{}", asked, count);
   return asked == 0 ? count : asked;
 }
 

@@ -97,8 +97,7 @@ Errors refuse_folder(const fs::path& folder) {
 }
 
 Errors refuse_file(const fs::path& file) {
-  std::error_code error;
-  if (fs::is_directory(file, error)) return {{file.string(), "is a folder; expected a file, or none"}};
+  if (is_folder(file)) return {{file.string(), "is a folder; expected a file, or none"}};
   return refuse_folder(file.has_parent_path() ? file.parent_path() : fs::path("."));
 }
 
@@ -110,9 +109,9 @@ Errors refuse_links(const fs::path& out) {
       std::error_code error;
       bool by_name = folder == out ? is_written_to(name) : name.starts_with(".frame_");
       if (by_name && fs::is_symlink(fs::symlink_status(path, error)))
-        errors.push_back({path.string(), fmt::format("is a link, and what it points to would be written to; "
-                                                     "expected a {}, or none",
-                                                     name == "frames" ? "folder" : "file")});
+        errors.push_back(error_at(
+            path.string(), "is a link, and what it points to would be written to; expected a {}, or none",
+            name == "frames" ? "folder" : "file"));
     }
   return errors;
 }
@@ -160,7 +159,6 @@ Result<std::vector<fs::path>> remove_damaged(const fs::path& out, FrameRange ran
 }
 
 void tidy(const fs::path& out, const std::set<std::string>& needed, int exposures) {
-  std::error_code error;
   for (const fs::path& folder : {out, out / "frames"})
     for (const fs::path& path : files_in(folder)) {
       std::string name = path.filename(), type = path.extension();
@@ -168,7 +166,7 @@ void tidy(const fs::path& out, const std::set<std::string>& needed, int exposure
           type.size() > 4 && type.starts_with(".tmp") && type.find_first_not_of("0123456789", 4) == type.npos;
       bool ours = folder != out && is_ours(name);
       bool surplus = folder != out && type == ".pov" && exposure_of(name) > exposures;
-      if (half || surplus || (ours && !needed.contains(name))) fs::remove(path, error);
+      if (half || surplus || (ours && !needed.contains(name))) remove_file(path);
     }
 }
 

@@ -71,15 +71,13 @@ Errors RenderRun::prepare() {
   if (!manifest) return manifest.errors();
   manifest_ = std::move(*manifest);
   if (settings_.format.empty()) settings_.format = film_format(manifest_.transparent);
-  std::error_code error;
   for (const std::string& result : results())
-    if (fs::is_directory(settings_.out / result, error))
+    if (is_folder(settings_.out / result))
       return {{"", (settings_.out / result).string() + " is a folder; expected a file, or none"}};
   remove_old_results();
   for (const Manifest::Frame& frame : manifest_.frames) {
     fs::path scene = settings_.out / "frames" / (frame_name(frame.number) + ".pov");
-    if (!fs::is_regular_file(scene, error))
-      return {{"", scene.string() + " is gone; the same command writes it again"}};
+    if (!is_file(scene)) return {{"", scene.string() + " is gone; the same command writes it again"}};
   }
   find_what_to_do();
   return {};
@@ -88,18 +86,17 @@ Errors RenderRun::prepare() {
 void RenderRun::remove_old_results() {
   // What others of the kind there are is no longer of these frames, unless ninja knows it to be.
   std::vector<std::string> wanted = results();
-  std::error_code error;
   for (const std::string& name : result_files()) {
     fs::path path = settings_.out / name;
-    if (std::ranges::find(wanted, name) != wanted.end() || !fs::is_regular_file(path, error)) continue;
-    if (ninja_.answer({"-n", name}).find("no work to do") == std::string::npos) fs::remove(path, error);
+    if (std::ranges::find(wanted, name) != wanted.end() || !is_file(path)) continue;
+    if (ninja_.answer({"-n", name}).find("no work to do") == std::string::npos) remove_file(path);
   }
   // One that is damaged, or another film's.
   fs::path film = settings_.out / wanted[0];
   events_.doing("counting the frames of the film");
-  if (!manifest_.still && fs::is_regular_file(film, error) &&
+  if (!manifest_.still && is_file(film) &&
       frames_in(film, settings_.ffmpeg, manifest_.fps) != static_cast<int>(manifest_.frames.size()))
-    fs::remove(film, error);
+    remove_file(film);
 }
 
 void RenderRun::find_what_to_do() {
@@ -204,12 +201,11 @@ Error RenderRun::lost_frames() const {
     std::vector<int> shown(lost.begin(), lost.end());
     bool more = shown.size() > kMost;
     if (more) shown.resize(kMost);
-    return {"",
-            fmt::format("of {} these frames could not be rendered: {}{}; those that are finished are kept",
-                        out, fmt::join(shown, ", "), more ? ", ..." : "")};
+    return error_at("", "of {} these frames could not be rendered: {}{}; those that are finished are kept",
+                    out, fmt::join(shown, ", "), more ? ", ..." : "");
   }
-  if (film) return {"", fmt::format("the film could not be encoded; the frames of {} are kept", out)};
-  return {"", fmt::format("not all of {} could be made; the frames that are finished are kept", out)};
+  if (film) return error_at("", "the film could not be encoded; the frames of {} are kept", out);
+  return error_at("", "not all of {} could be made; the frames that are finished are kept", out);
 }
 
 Outcome RenderRun::end() {
@@ -220,16 +216,15 @@ Outcome RenderRun::end() {
   int all = static_cast<int>(manifest_.frames.size());
   events_.doing("counting the frames of the film");
   int held = manifest_.still ? all : frames_in(film, settings_.ffmpeg, manifest_.fps);
-  if (held != all) return {{{"", fmt::format("{} holds {} of {} frames", film.string(), held, all)}}};
+  if (held != all) return {{error_at("", "{} holds {} of {} frames", film.string(), held, all)}};
   // Unfinished pictures that are no part of this film, and what killed runs have left.
-  std::error_code error;
   for (const char* folder : {"frames", "raw"})
     for (const fs::path& path : files_in(settings_.out / folder))
-      if (path.filename().string().starts_with(".frame_")) fs::remove_all(path, error);
-  for (const std::string& name : result_files()) fs::remove(part_of(settings_.out / name), error);
+      if (path.filename().string().starts_with(".frame_")) remove_tree(path);
+  for (const std::string& name : result_files()) remove_file(part_of(settings_.out / name));
   for (const char* name :
        {"preview.mp4", "watch.png", ".watch.png.part", ".film.gif.part.png", ".preview.mp4.part"})
-    fs::remove(settings_.out / name, error);
+    remove_file(settings_.out / name);
   return {};
 }
 

@@ -215,8 +215,8 @@ Errors encode_film(const FilmJob& job) {
   if (!whole) {
     Errors errors = told(encoded, film + " could not be encoded");
     if (errors.empty() || !tells_full_disk(encoded.words))
-      errors.push_back({"", fmt::format("{} could not be encoded: {} of {} frames", film, std::max(frames, 0),
-                                        job.pictures.size())});
+      errors.push_back(error_at("", "{} could not be encoded: {} of {} frames", film, std::max(frames, 0),
+                                job.pictures.size()));
     return errors;
   }
   std::string comment = job.title + (job.title.empty() || job.comment.empty() ? "" : "; ") + job.comment;

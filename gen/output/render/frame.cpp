@@ -125,9 +125,7 @@ class FrameRun {
       return false;
     }
     if (*status == 0 && whole_picture(names.part, job_.size)) return true;
-    std::error_code error;
-    if (!fs::exists(files_.log, error))
-      return give_up(folder_.string() + " has vanished", names, *status, count);
+    if (!path_exists(files_.log)) return give_up(folder_.string() + " has vanished", names, *status, count);
     return give_up(why(*status), names, *status, count);
   }
 
@@ -138,24 +136,14 @@ class FrameRun {
     command.apart = true;
     command.environment = {"POVINI=" + settings_.name() + "/povray.ini",
                            "POV_TEMP_DIR=" + files_.large.string()};
-    command.words = {renderer_.string(),
-                     "+I" + scene.string(),
-                     "+O" + part.string(),
-                     head_.fine ? "+FN16" : "+FN8",
-                     fmt::format("+W{}", job_.size[0]),
-                     fmt::format("+H{}", job_.size[1]),
-                     "+L" + includes_.name(),
-                     "+L" + beside_.name()};
-    if (head_.alpha) command.words.emplace_back("+UA");
-    command.words.insert(command.words.end(), head_.part.begin(), head_.part.end());
-    if (!head_.light.empty()) {
-      command.words.emplace_back("+RFI");
-      command.words.push_back("+RF" + (folder_of(job_.scene) / head_.light).string());
-    }
-    for (const std::string& word :
-         {fmt::format("+WT{}", job_.threads), std::string("+C"), std::string("-D"), std::string("-P")})
-      command.words.push_back(word);
-    command.words.insert(command.words.end(), job_.flags.begin(), job_.flags.end());
+    command.words = {renderer_.string(), "+I" + scene.string(), "+O" + part.string()};
+    command.add({head_.fine ? "+FN16" : "+FN8", fmt::format("+W{}", job_.size[0]),
+                 fmt::format("+H{}", job_.size[1]), "+L" + includes_.name(), "+L" + beside_.name()});
+    if (head_.alpha) command.add({"+UA"});
+    command.add(head_.part);
+    if (!head_.light.empty()) command.add({"+RFI", "+RF" + (folder_of(job_.scene) / head_.light).string()});
+    command.add({fmt::format("+WT{}", job_.threads), "+C", "-D", "-P"});
+    command.add(job_.flags);
     if (job_.confined)
       command.confinement = Confinement{
           {folder_of(job_.scene), job_.home / "povinc", job_.home / "scripts" / "povray.ini"}, {folder_}};
@@ -197,7 +185,7 @@ class FrameRun {
       if (count <= 1) ::unlink(files_.spent.c_str());
     }
     files_.remove_unfinished(names);
-    return {"", fmt::format("{} could not be rendered: {}", job_.scene.string(), reason)};
+    return error_at("", "{} could not be rendered: {}", job_.scene.string(), reason);
   }
 
   /// Makes the picture of what is drawn.
@@ -268,18 +256,17 @@ std::vector<fs::path> exposures_of(const fs::path& scene, int count) {
 
 Result<bool> render_frame(const FrameJob& job) {
   auto lost = [&](const std::string& reason) {
-    return Error{"", fmt::format("{} could not be rendered: {}", job.scene.string(), reason)};
+    return error_at("", "{} could not be rendered: {}", job.scene.string(), reason);
   };
-  std::error_code error;
   std::optional<fs::path> renderer = find_program(job.povray);
   if (!renderer) return Error{"", job.povray + ": no such program"};
-  if (!fs::is_regular_file(job.scene, error)) return lost("it is gone");
+  if (!is_file(job.scene)) return lost("it is gone");
   SceneHead head = scene_head_of(job.scene);
   fs::path light = job.scene.parent_path() / head.light;
-  if (!head.light.empty() && !fs::is_regular_file(light, error)) return lost(light.string() + " is gone");
+  if (!head.light.empty() && !is_file(light)) return lost(light.string() + " is gone");
   std::vector<fs::path> scenes = exposures_of(job.scene, head.exposures);
   for (const fs::path& scene : scenes)
-    if (!fs::is_regular_file(scene, error)) return lost("its exposure " + scene.string() + " is gone");
+    if (!is_file(scene)) return lost("its exposure " + scene.string() + " is gone");
   return FrameRun(job, *renderer, head, std::move(scenes)).render();
 }
 

@@ -45,9 +45,8 @@ void FrameFiles::remove(bool ours_too) const {
 
 void FrameFiles::remove_others() const {
   remove(false);
-  std::error_code error;
-  fs::remove_all(plain, error);  // not finished, or they would be in their place
-  fs::remove_all(large, error);
+  remove_tree(plain);  // not finished, or they would be in their place
+  remove_tree(large);
 }
 
 void FrameFiles::remove_all() const { remove(true); }
@@ -92,8 +91,7 @@ bool FrameFiles::disk_is_full(std::array<int, 2> size) const {
 }
 
 void FrameFiles::remove_unfinished(const Exposure& names) const {
-  std::error_code error;
-  for (const fs::path& path : {log, names.part, plain, large}) fs::remove_all(path, error);
+  for (const fs::path& path : {log, names.part, plain, large}) remove_tree(path);
 }
 
 }  // namespace frond

@@ -34,9 +34,7 @@ FramesLeft::FramesLeft(const fs::path& frames, fs::path drawn, std::array<int, 2
   double mean = 0;
   for (int number : numbers) {
     Frame frame{std::max(1.0, size_of_file(frames / (frame_name(number) + ".pov"))), 1};
-    std::error_code error;
-    while (fs::exists(frames / (exposure_name(number, frame.exposures + 1) + ".pov"), error))
-      ++frame.exposures;
+    while (path_exists(frames / (exposure_name(number, frame.exposures + 1) + ".pov"))) ++frame.exposures;
     mean += frame.weight / static_cast<double>(numbers.size());
     frames_[frame_name(number)] = frame;
   }

@@ -19,22 +19,15 @@ std::string sheet_layout(std::size_t pictures, int columns, std::array<int, 2> s
 }
 
 Errors write_jpeg(const JpegJob& job, const fs::path& scratch, const fs::path& file) {
-  std::error_code error;
-  fs::remove(scratch, error);
+  remove_file(scratch);
   Command command;
   command.words = {job.ffmpeg, "-y", "-nostdin", "-loglevel", "error"};
-  for (const fs::path& picture : job.pictures) {
-    command.words.emplace_back("-i");
-    command.words.push_back("file:" + picture.string());
-  }
-  if (job.pictures.size() > 1) {
-    command.words.emplace_back("-filter_complex");
-    command.words.push_back(fmt::format("xstack=inputs={}:layout={}:fill=white", job.pictures.size(),
-                                        sheet_layout(job.pictures.size(), job.columns, job.size)));
-  }
-  for (const char* word : {"-bitexact", "-q:v", "3", "-c:v", "mjpeg", "-f", "image2", "-update", "1"})
-    command.words.emplace_back(word);
-  command.words.push_back("file:" + scratch.string());
+  for (const fs::path& picture : job.pictures) command.add({"-i", "file:" + picture.string()});
+  if (job.pictures.size() > 1)
+    command.add({"-filter_complex", fmt::format("xstack=inputs={}:layout={}:fill=white", job.pictures.size(),
+                                                sheet_layout(job.pictures.size(), job.columns, job.size))});
+  command.add({"-bitexact", "-q:v", "3", "-c:v", "mjpeg", "-f", "image2", "-update", "1",
+               "file:" + scratch.string()});
   Result<int> code = run(command);
   if (!code) return code.errors();
   Result<std::string> bytes = *code == 0 ? read_file(scratch) : Error{};

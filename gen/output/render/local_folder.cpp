@@ -22,10 +22,9 @@ namespace {
 void remove_left(const fs::path& folder) {
   Descriptor file(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   if (!file) return;
-  std::error_code error;
   struct stat about {};
   bool ours = ::fstat(*file, &about) == 0 && about.st_uid == ::getuid();
-  if (ours && ::flock(*file, LOCK_EX | LOCK_NB) == 0) fs::remove_all(folder, error);
+  if (ours && ::flock(*file, LOCK_EX | LOCK_NB) == 0) remove_tree(folder);
 }
 
 }  // namespace
@@ -43,16 +42,14 @@ LocalFolder::LocalFolder() {
     if (!::mkdtemp(path.data())) return;
     Descriptor lock(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (lock) ::flock(*lock, LOCK_EX);
-    std::error_code error;
-    if (!lock || !fs::is_directory(path, error)) continue;
+    if (!lock || !is_folder(path)) continue;
     path_ = path, lock_ = std::move(lock);
     return;
   }
 }
 
 LocalFolder::~LocalFolder() {
-  std::error_code error;
-  if (!path_.empty()) fs::remove_all(path_, error);
+  if (!path_.empty()) remove_tree(path_);
 }
 
 }  // namespace frond

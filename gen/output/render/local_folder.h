@@ -12,8 +12,6 @@ class LocalFolder {
  public:
   LocalFolder();
   ~LocalFolder();
-  LocalFolder(const LocalFolder&) = delete;
-  LocalFolder& operator=(const LocalFolder&) = delete;
 
   /// Empty where none could be made.
   const std::filesystem::path& path() const { return path_; }

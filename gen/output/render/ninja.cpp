@@ -29,7 +29,7 @@ Result<Ninja::End> Ninja::make(const std::vector<std::string>& files, int jobs, 
   Descriptor from(ends[0]), to(ends[1]);
   Command command;
   command.words = {"ninja", "-k", "0", "-j", std::to_string(jobs)};
-  command.words.insert(command.words.end(), files.begin(), files.end());
+  command.add(files);
   command.environment = environment_;
   command.environment.push_back(fmt::format("NINJA_STATUS={}", kMark));
   command.folder = folder_;

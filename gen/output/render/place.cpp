@@ -24,8 +24,7 @@ std::error_code flush_to_disk(const fs::path& path) {
 
 /// Removes what cannot become a file, and says why.
 Errors not_written(const fs::path& part, const fs::path& file, std::error_code why) {
-  std::error_code ignored;
-  fs::remove(part, ignored);
+  remove_file(part);
   return {{"", file.string() + " could not be written: " + reason_of(why)}};
 }
 

@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "core/files.h"
 #include "core/text.h"
 
 extern char** environ;
@@ -121,10 +122,7 @@ Result<int> run(const Command& command) {
 }
 
 std::optional<fs::path> find_program(const std::string& name) {
-  auto runs = [](const fs::path& path) {
-    std::error_code error;
-    return fs::is_regular_file(path, error) && ::access(path.c_str(), X_OK) == 0;
-  };
+  auto runs = [](const fs::path& path) { return is_file(path) && ::access(path.c_str(), X_OK) == 0; };
   if (name.find('/') != name.npos) return runs(name) ? std::optional(fs::path(name)) : std::nullopt;
   std::string path = environment_or("PATH", "/usr/bin:/bin");
   for (std::size_t from = 0; from <= path.size();) {

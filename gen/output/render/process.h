@@ -26,6 +26,9 @@ struct Command {
   int end_with = SIGKILL;                ///< the signal that it gets when we end, however we do
   bool apart = false;  ///< no signal of ours reaches it, nor can it gain rights that we do not have
   std::optional<Confinement> confinement;
+
+  /// Appends further arguments.
+  void add(const std::vector<std::string>& more) { words.insert(words.end(), more.begin(), more.end()); }
 };
 
 /// Starts it; the number of its process. Of a process with one thread only where it is confined.
@@ -65,8 +68,6 @@ class StopSignals final : public Stop {
  public:
   StopSignals();
   ~StopSignals() override;
-  StopSignals(const StopSignals&) = delete;
-  StopSignals& operator=(const StopSignals&) = delete;
 
   /// Waits for the end of a process, as wait_for; nothing where we are to stop, which it is then left to.
   std::optional<int> wait_for(pid_t process);

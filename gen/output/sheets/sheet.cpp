@@ -113,23 +113,11 @@ Errors make_sheet(const std::vector<SheetCell>& cells, int frame, int columns, c
     job.pictures.push_back(work.path() / fmt::format("{}.png", i));
     Command command;
     command.folder = work.path();
-    command.words = {ffmpeg,
-                     "-hide_banner",
-                     "-nostdin",
-                     "-loglevel",
-                     "error",
-                     "-y",
-                     "-i",
-                     "file:" + picture.string(),
-                     "-vf",
-                     (manifest->transparent ? "format=gbrap,premultiply=inplace=1," + over_checks() + ","
-                                            : std::string()) +
-                         "format=rgb24," + labels.filter(fmt::format("label{}", i)),
-                     "-frames:v",
-                     "1",
-                     "-update",
-                     "1",
-                     job.pictures.back().string()};
+    std::string filter = "format=rgb24," + labels.filter(fmt::format("label{}", i));
+    if (manifest->transparent) filter = "format=gbrap,premultiply=inplace=1," + over_checks() + "," + filter;
+    command.words = {ffmpeg, "-hide_banner", "-nostdin", "-loglevel", "error", "-y"};
+    command.add({"-i", "file:" + picture.string(), "-vf", filter, "-frames:v", "1", "-update", "1",
+                 job.pictures.back().string()});
     Result<int> code = run(command);
     if (!code || *code != 0) return {{"", picture.string() + " could not be labelled"}};
   }

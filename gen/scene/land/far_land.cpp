@@ -169,9 +169,8 @@ void FarLand::found_villages() {
     double away = (edge_.radius * (edge_.square ? kDiagonal : 1) + road.range(kNearestRoad, kFarthestRoad)) *
                   (side ? 1 : -1);
     auto at = [&](double x) {
-      double bend =
-          kBend * noise(Vec3(static_cast<float>(x / kBendLength), static_cast<float>(road.range(0, 99)), 3));
-      return unturned(Vec2(static_cast<float>(x), static_cast<float>(away + bend)));
+      double bend = kBend * noise(Vec3(x / kBendLength, road.range(0, 99), 3));
+      return unturned(Vec2(x, away + bend));
     };
     for (int k = -count; k <= count; ++k) {
       Seed own = road.child("village", static_cast<std::uint64_t>(k + count));

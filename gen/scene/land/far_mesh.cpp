@@ -131,7 +131,7 @@ FarVertex far_vertex(const FarLand& land, const MountainPlace& place, double spa
     v.canopy = v.cover == FarCover::wood && crowns > 1;
     height += crowns;
   }
-  v.at = Vec3(at.x, static_cast<float>(height), at.y);
+  v.at = Vec3(at.x, height, at.y);
   return v;
 }
 

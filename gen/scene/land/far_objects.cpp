@@ -33,8 +33,7 @@ void each_cell(std::vector<FarObject>& all, const FarLand& land, const FarView& 
     for (int i = -half; i <= half; ++i) {
       Seed own = seed.child(static_cast<std::uint64_t>(j + kMostCells))
                      .child(static_cast<std::uint64_t>(i + kMostCells));
-      Vec2 at(static_cast<float>((i + own.child(0).range(-0.45, 0.45)) * cell),
-              static_cast<float>((j + own.child(1).range(-0.45, 0.45)) * cell));
+      Vec2 at((i + own.child(0).range(-0.45, 0.45)) * cell, (j + own.child(1).range(-0.45, 0.45)) * cell);
       if (land.edge().outside(at) > 4 && glm::length(at) < reach && view.holds(at)) visit(rows[row], own, at);
     }
   });
@@ -46,7 +45,7 @@ std::uint64_t shapes_of(FarKind kind) { return kind == FarKind::house ? kHouseSh
 FarObject far_object(FarKind kind, const FarLand& land, Vec2 at, Seed own) {
   return {.kind = kind,
           .shape = static_cast<int>(own.child("shape").bits() % shapes_of(kind)),
-          .foot = Vec3(at.x, static_cast<float>(land.height(at)), at.y),
+          .foot = Vec3(at.x, land.height(at), at.y),
           .turn = static_cast<float>(own.child("turn").range(0, 2 * kPi)),
           .tint = static_cast<int>(own.child("tint").bits() % kFarTints)};
 }

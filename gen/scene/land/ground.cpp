@@ -11,9 +11,8 @@
 namespace frond {
 
 double ground_height(const Ground& ground, double x, double z) {
-  Vec3 shift(static_cast<float>(ground.seed.child("x").range(-99, 99)), 0,
-             static_cast<float>(ground.seed.child("z").range(-99, 99)));
-  Vec3 p(static_cast<float>(x / ground.scale), 0, static_cast<float>(z / ground.scale));
+  Vec3 shift(ground.seed.child("x").range(-99, 99), 0, ground.seed.child("z").range(-99, 99));
+  Vec3 p(x / ground.scale, 0, z / ground.scale);
   return 0.7 * ground.relief * fractal_noise(p + shift, 3);
 }
 
@@ -85,8 +84,7 @@ Surface ground_surface(const std::function<double(Vec2)>& height, Vec2 centre, c
     double distance = distances[static_cast<std::size_t>(ring - 1)];
     for (int sector = 0; sector < sectors; ++sector) {
       double angle = 2 * kPi * (sector + 0.5 * (ring % 2)) / sectors;
-      Vec2 at = centre + Vec2(static_cast<float>(distance * std::cos(angle)),
-                              static_cast<float>(distance * std::sin(angle)));
+      Vec2 at = centre + Vec2(distance * std::cos(angle), distance * std::sin(angle));
       surface.position.push_back(Vec3(at.x, height(at), at.y));
     }
   }

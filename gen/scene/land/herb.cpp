@@ -225,7 +225,7 @@ void add_earth(Surface& s, float radius, float own) {
   for (float ring : {0.75f, 1.0f}) {
     for (std::uint32_t i = 0; i < kRim; ++i) {
       double angle = 2 * kPi * i / kRim;
-      Vec3 out(static_cast<float>(std::cos(angle)), 0, static_cast<float>(std::sin(angle)));
+      Vec3 out(std::cos(angle), 0, std::sin(angle));
       float r = radius * ring * earth_reach(out, own);
       corners.add(out * r + kUp * (ring < 1 ? kRingHeight * radius : kRimDepth * radius), kUp, ring);
     }

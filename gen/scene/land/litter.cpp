@@ -177,15 +177,13 @@ Surface moss_surface(double side, Seed seed) {
   constexpr float kShootsTilt = 0.2f;
   Surface s;
   auto count = static_cast<std::uint64_t>(kDensity * side * side);
-  Vec3 shift(static_cast<float>(seed.child("x").range(0, 50)), 0,
-             static_cast<float>(seed.child("z").range(0, 50)));
+  Vec3 shift(seed.child("x").range(0, 50), 0, seed.child("z").range(0, 50));
   for (std::uint64_t i = 0; i < count; ++i) {
     Seed own = seed.child(i);
     Numbers number{own};
     // Thinner toward the rim.
     double angle = own.child(0).range(0, 2 * kPi), share = std::pow(own.child(1).unit(), kTowardMiddle);
-    Vec3 at(static_cast<float>(std::cos(angle) * share * side / 2), 0,
-            static_cast<float>(std::sin(angle) * share * side / 2));
+    Vec3 at(std::cos(angle) * share * side / 2, 0, std::sin(angle) * share * side / 2);
     double swell = 0.5 + 0.5 * fractal_noise(at * kSwellings + shift, 2), dome = 1 - share * share;
     at.y = static_cast<float>(dome * (kDome + kSwelling * std::clamp(swell, 0.0, 1.0)) - kSunkRim);
     float height = number(2, 0.008, 0.018), half = number(3, 0.0014, 0.0028), toward = number(4, 0, 2 * kPi);
@@ -194,8 +192,8 @@ Surface moss_surface(double side, Seed seed) {
     float v = number(6, 0, 0.6) + static_cast<float>(0.4 * std::clamp(swell, 0.0, 1.0));
     auto a = static_cast<std::uint32_t>(s.position.size());
     // Lit as a cushion rather than as shoots, or it would sparkle.
-    Vec3 normal = glm::normalize(Vec3(at.x, static_cast<float>(kBallDepth * side), at.z) +
-                                 lean * (kShootsTilt * static_cast<float>(side)));
+    Vec3 normal =
+        glm::normalize(Vec3(at.x, kBallDepth * side, at.z) + lean * (kShootsTilt * static_cast<float>(side)));
     for (auto [place, u] : {std::pair{at - across * half, 0.0f}, {at + across * half, 0.0f}, {tip, 1.0f}}) {
       s.position.push_back(place);
       s.normal.push_back(normal);

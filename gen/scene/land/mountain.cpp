@@ -38,11 +38,11 @@ class Range {
         below_(height_.size()),
         drained_(height_.size()),
         order_(height_.size()) {
-    Vec3 shift(static_cast<float>(seed.range(-99, 99)), 0, 0);
+    Vec3 shift(seed.range(-99, 99), 0, 0);
     for (int z = 0; z < kRows; ++z)
       for (int x = 0; x < kColumns; ++x) {
         double u = (x + 0.5) / kColumns, v = (z + 0.5) / kRows;
-        Vec3 at(static_cast<float>(6 * u), 0, static_cast<float>(3 * v));
+        Vec3 at(6 * u, 0, 3 * v);
         // A crest that wanders, higher here and lower there, and runs out at both ends.
         double crest = kCrest + kCrestWanders * noise(Vec3(3.0f * static_cast<float>(u), 7, 0) + shift);
         double across = std::clamp(1 - std::abs(v - crest) / kHalfRange, 0.0, 1.0);
@@ -123,8 +123,7 @@ Surface mountain_surface(const MountainShape& shape, Vec3 sun) {
   Range range(Seed{static_cast<std::uint64_t>(shape.seed)});
   double cell = shape.width / kColumns, scale = shape.height / range.top();
   double turn = radians(shape.toward);
-  Vec3 ahead(static_cast<float>(std::sin(turn)), 0, static_cast<float>(std::cos(turn))),
-      aside(ahead.z, 0, -ahead.x);
+  Vec3 ahead(std::sin(turn), 0, std::cos(turn)), aside(ahead.z, 0, -ahead.x);
   auto height = [&](int x, int z) {
     double h = range.at(x, z) * scale;
     // Towers and ledges of bare rock, the more the higher.

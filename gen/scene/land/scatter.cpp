@@ -84,8 +84,7 @@ std::vector<Spot> scatter(Vec2 centre, double inner, double outer, float radius,
       Seed throw_seed = seed.child(static_cast<std::uint64_t>(i)).child(static_cast<std::uint64_t>(dart));
       double angle = throw_seed.child("angle").range(0, 2 * kPi);
       double distance = std::sqrt(throw_seed.child("distance").range(inner * inner, outer * outer));
-      Vec2 at = centre + Vec2(static_cast<float>(distance * std::cos(angle)),
-                              static_cast<float>(distance * std::sin(angle)));
+      Vec2 at = centre + Vec2(distance * std::cos(angle), distance * std::sin(angle));
       if (!taken.free(at, radius)) continue;
       spots.push_back({at, radius, static_cast<std::uint32_t>(i)});
       taken.add(spots.back());

@@ -229,12 +229,12 @@ SnowSheet snow_on_ground(const SnowLand& land, const CoverGrid& bodies, const Sn
     auto row = static_cast<int>(r);
     for (int column = 0; column < field.side; ++column) {
       Vec2 at = field.at(column, row);
-      Vec3 ground(at.x, static_cast<float>(land.height(at)), at.y);
+      Vec3 ground(at.x, land.height(at), at.y);
       field.of(column, row) = bodies.openness(ground) * drifted(land, bodies, wind, at);
     }
   });
   blur(field, kBlurs);
-  Vec3 shift(static_cast<float>(seed.range(-99, 99)), 0, static_cast<float>(seed.child(1).range(-99, 99)));
+  Vec3 shift(seed.range(-99, 99), 0, seed.child(1).range(-99, 99));
   constexpr float kWaveAlong = 1.1f, kWaveAcross = 2.6f;  // metres of wind-blown waves
   constexpr double kCalmWaves = 0.08, kDriftWaves = 0.3;  // height by the depth; and more in a strong wind
   constexpr double kLeastDepth = 0.2;                     // share of the depth

@@ -56,8 +56,7 @@ Suitability::Suitability(const SowRules& rules, const Land& land, std::span<cons
 }
 
 Vec2 Suitability::corner(std::size_t i) const {
-  return low_ +
-         step_ * Vec2(static_cast<float>(i % (kGridCells + 1)), static_cast<float>(i / (kGridCells + 1)));
+  return low_ + step_ * Vec2(i % (kGridCells + 1), i / (kGridCells + 1));
 }
 
 double Suitability::clumps(Vec2 at) const {

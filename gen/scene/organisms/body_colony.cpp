@@ -11,9 +11,9 @@ void describe(Properties& v, TissueLook& t) {
   v.aspect(Aspect::look);
   v.color("color", t.color, "Colour of what stands out: walls, ridges");
   v.color("second", t.second, "Colour of what lies back: cups, valleys");
-  v.number("cup", t.cup, {.min = 0.0005, .max = 0.2, .unit = "m"}, "Distance from one polyp to the next");
+  v.number("cup", t.cup, metres(0.0005, 0.2), "Distance from one polyp to the next");
   v.number("relief", t.relief, {.min = 0, .max = 3}, "How deep the cups look; 0 is smooth");
-  v.number("gloss", t.gloss, {.min = 0, .max = 1}, "How wet it looks: 0 matt");
+  v.number("gloss", t.gloss, kShare, "How wet it looks: 0 matt");
   v.number("variation", t.variation, {.min = 0, .max = 0.5},
            "How much single ones differ in brightness, as a share");
   describe(v, t.polyps);
@@ -48,10 +48,9 @@ MarginStart ring_start(Vec3 middle, double radius, double turn, double arc, doub
   for (int i = 0; i < parts + (start.closed ? 0 : 1); ++i) {
     // Against the clock from above, so that the upper side is up.
     double angle = turn - arc * (static_cast<double>(i) / parts - 0.5);
-    Vec3 out(static_cast<float>(std::cos(angle)), 0, static_cast<float>(std::sin(angle)));
+    Vec3 out(std::cos(angle), 0, std::sin(angle));
     start.rim.push_back(middle + out * static_cast<float>(radius));
-    start.heading.push_back(out * static_cast<float>(std::cos(pitch)) +
-                            Vec3(0, static_cast<float>(std::sin(pitch)), 0));
+    start.heading.push_back(out * static_cast<float>(std::cos(pitch)) + Vec3(0, std::sin(pitch), 0));
   }
   return start;
 }

@@ -54,51 +54,45 @@ void describe(Properties& v, SowRules& s) {
            "layers may overlap");
   v.number("radius", s.radius, {.min = 0, .max = 100, .above_min = true, .unit = "m"},
            "Radius of a crown, within which no other of the same layer comes up");
-  v.number("stem", s.stem, {.min = 0, .max = 50, .unit = "m"},
-           "Radius round a stem that plants of other layers keep free");
-  v.vector("altitude", s.altitude, {.min = -1e5, .max = 1e5, .unit = "m"},
+  v.number("stem", s.stem, metres(0, 50), "Radius round a stem that plants of other layers keep free");
+  v.vector("altitude", s.altitude, metres(-1e5, 1e5),
            "Lowest and highest altitude at which copies come up, above the lowest point of the land");
   v.object("warmth", s.warmth,
            "How copies become smaller and fewer with altitude, as trees toward the tree line; not given: "
            "they do not");
   v.angle("slope", s.slope, {.min = 0, .max = 180},
           "Steepest slope on which copies come up; on a body (`place.on`) more than 90 is under overhangs");
-  v.number("patch", s.patch, {.min = 0, .max = 10000, .unit = "m"},
+  v.number("patch", s.patch, metres(0, 10000),
            "Distance from one clump to the next; 0 spreads copies evenly");
-  v.number("cover", s.cover, {.min = 0, .max = 1},
-           "Share of the land that clumps cover. Needs a patch above 0");
-  v.vector("shade", s.shade, {.min = 0, .max = 1},
-           "Least and greatest share of the sky that crowns above may hide");
-  v.number("clear", s.clear, {.min = -100, .max = 1000, .unit = "m"},
+  v.number("cover", s.cover, kShare, "Share of the land that clumps cover. Needs a patch above 0");
+  v.vector("shade", s.shade, kShare, "Least and greatest share of the sky that crowns above may hide");
+  v.number("clear", s.clear, metres(-100, 1000),
            "Distance that copies keep from the edge of a path; negative lets them stand on it");
-  v.vector("center", s.center, {.min = -1e4, .max = 1e4, .unit = "m"},
+  v.vector("center", s.center, metres(-1e4, 1e4),
            "The middle of the area that is sown, x and z. Needs a reach above 0");
-  v.number("reach", s.reach, {.min = 0, .max = 1e4, .unit = "m"},
-           "Radius of the area that is sown; 0 is all of the land");
+  v.number("reach", s.reach, metres(0, 1e4), "Radius of the area that is sown; 0 is all of the land");
   v.object("map", s.map,
            "A picture that scales the density of copies over the land; a bare file name will do");
 }
 
 void describe(Properties& v, CopyTint& t) {
   v.angle("hue", t.hue, {.min = 0, .max = 180}, "Angle by which the hue of copies differs, either way");
-  v.number("saturation", t.saturation, {.min = 0, .max = 1},
-           "Share by which the saturation of copies differs, either way");
-  v.number("value", t.value, {.min = 0, .max = 1},
-           "Share by which the brightness of copies differs, either way");
+  v.number("saturation", t.saturation, kShare, "Share by which the saturation of copies differs, either way");
+  v.number("value", t.value, kShare, "Share by which the brightness of copies differs, either way");
 }
 
 void describe(Properties& v, Sowing& s) {
   v.integer("models", s.models, {.min = 1, .max = 64},
             "Number of different models that are grown and copied, each from a seed of its own");
   v.list("seeds", s.seeds, "Seeds of the models; a model without one takes its number");
-  v.number("crowd", s.crowd, {.min = 0, .max = 100, .unit = "m"},
+  v.number("crowd", s.crowd, metres(0, 100),
            "Distance to the neighbours among which model trees grow up; 0 grows them in the open");
   v.object("where", s.where, "Rules that say where copies come up");
   v.object("tint", s.tint, "How the colours of copies differ");
-  v.number("upright", s.upright, {.min = 0, .max = 1},
+  v.number("upright", s.upright, kShare,
            "How upright copies stand on a slope: 1 plumb, 0 at right angles to the ground");
   v.vector(
-      "present", s.present, {.min = 0, .max = 1},
+      "present", s.present, kShare,
       "First and last time of the year, 0 to 1, at which copies are above the ground, as mushrooms are in "
       "autumn; it may run past the end of the year. Without /scene/year they always are");
 }
@@ -114,20 +108,18 @@ void describe(Properties& v, Place& p) {
          "the others are scattered");
   v.list("each", p.each,
          "How those at the places of `at` stand, one by one; trees that grow by light only move");
-  v.text(
-      "in", p.in,
-      "Name of rooms of the plan, or \"gate\", \"corners\" or \"doors\": `count` stand in each of them, the "
-      "first at the places of `at`, which then count from its middle, z out of the room, and the others "
-      "scattered");
-  v.text(
-      "along", p.along,
-      "Name of rooms of the plan along whose edges they stand, or \"walls\" for the line round it: walls as "
-      "long as each edge, all else twice `spacing` apart");
-  v.vector("center", p.center, {.min = -28, .max = 28, .unit = "m"},
+  v.text("in", p.in,
+         "Name of rooms of the plan, or \"gate\", \"corners\" or \"doors\": `count` stand in each of them, "
+         "the first at the places of `at`, which then count from its middle, z out of the room, and the "
+         "others scattered");
+  v.text("along", p.along,
+         "Name of rooms of the plan along whose edges they stand, or \"walls\" for the line round it: walls "
+         "as long as each edge, all else twice `spacing` apart");
+  v.vector("center", p.center, metres(-28, 28),
            "Middle of the ring in which the others are scattered, x and z");
-  v.number("inner", p.inner, {.min = 0, .max = 28, .unit = "m"}, "Inner radius of the ring");
-  v.number("radius", p.radius, {.min = 0, .max = 28, .unit = "m"}, "Outer radius of the ring");
-  v.number("spacing", p.spacing, {.min = 0, .max = 100, .unit = "m"},
+  v.number("inner", p.inner, metres(0, 28), "Inner radius of the ring");
+  v.number("radius", p.radius, metres(0, 28), "Outer radius of the ring");
+  v.number("spacing", p.spacing, metres(0, 100),
            "Distance that others keep from each of them, sown ones included");
   v.number("size_variation", p.size_variation, {.min = 0, .max = 0.9},
            "Random change of the size, as a share of it");
@@ -135,13 +127,13 @@ void describe(Properties& v, Place& p) {
   v.angle("turn_variation", p.turn_variation, {.min = 0, .max = 180},
           "Random change of the turn, either way");
   v.angle("lean", p.lean, {.min = 0, .max = 90}, "Angle by which each leans at most, at random");
-  v.number("raise", p.raise, {.min = -100, .max = 1000, .unit = "m"}, "Height of the foot above the ground");
-  v.number("rock", p.rock, {.min = 0, .max = 100, .unit = "m"},
+  v.number("raise", p.raise, metres(-100, 1000), "Height of the foot above the ground");
+  v.number("rock", p.rock, metres(0, 100),
            "Width of the rock under each, for corals and plants under water; 0 lays none");
   v.list("on", p.on,
          "Names of the bodies that colonies (corals, sponges) stand on, scattered over all of them that does "
          "not face downward, or that copies of anything `sown` come up on; not given: the ground");
-  v.number("upright", p.upright, {.min = 0, .max = 1},
+  v.number("upright", p.upright, kShare,
            "How upright they stand on a slope of such a body: 1 plumb, 0 at right angles to it");
 }
 
@@ -149,16 +141,16 @@ void describe(Properties& v, Style& s) {
   v.shorthand("build");
   v.choice("build", s.build, kBuilds, "What branches are drawn as");
   v.number(
-      "voxel", s.voxel, {.min = 0, .max = 100, .unit = "m"},
+      "voxel", s.voxel, metres(0, 100),
       "Size of a voxel of a fused or rough body, or of a cube; 0 takes it from the size of the organism. "
       "Needs build other than sweeps");
   v.number("blend", s.blend, {.min = 0, .max = 3},
            "How far branches flow into each other at forks, as a share of the thinner one's radius. Needs "
            "\"build\": \"fused\" or \"rough\"");
-  v.number("adaptivity", s.adaptivity, {.min = 0, .max = 1},
+  v.number("adaptivity", s.adaptivity, kShare,
            "How unequal the triangles of a fused body may be: 0 all alike, 1 few where the body is flat. "
            "Needs \"build\": \"fused\"");
-  v.number("roughness", s.roughness, {.min = 0, .max = 1},
+  v.number("roughness", s.roughness, kShare,
            "How much of the grid the skin of a rough body shows: 0 is the plain mesh of its volume, 1 has "
            "steps as high as a voxel. Needs \"build\": \"rough\"");
   v.number(
@@ -184,7 +176,7 @@ void describe(Properties& v, Edit& e) {
       R"({"anyOf": [{"const": true}, {"type": "number", "minimum": 1, "maximum": 500}]})",
       "Saws off what is beyond the place; a number is the year of its life at whose end that happens, for "
       "the kind tree, which answers by new shoots");
-  v.vector("bend", e.bend, {.min = -100, .max = 100, .unit = "m"},
+  v.vector("bend", e.bend, metres(-100, 100),
            "Way by which the place is pulled, as by a wire, in the plant's own upright frame");
   v.number("strength", e.strength, {.min = 0.2, .max = 3},
            "Factor of the length and thickness of all that is beyond the place");
@@ -196,13 +188,12 @@ void describe(Properties& v, Edit& e) {
 
 void describe(Properties& v, Cut& c) {
   v.text("entry", c.entry, "Name of the organisms of which some are felled; without it all trees count");
-  v.number("share", c.share, {.min = 0, .max = 1}, "Share of those that still stand, chosen by the seed");
+  v.number("share", c.share, kShare, "Share of those that still stand, chosen by the seed");
 }
 
 void describe(Properties& v, Prune& p) {
   v.text("entry", p.entry, "Name of the organisms that are pruned; without it all trees are");
-  v.number("below", p.below, {.min = 0, .max = 100, .unit = "m"},
-           "Height above the foot under which stems lose their limbs");
+  v.number("below", p.below, metres(0, 100), "Height above the foot under which stems lose their limbs");
 }
 
 void describe(Properties& v, Event& e) {
@@ -216,10 +207,9 @@ void describe(Properties& v, Event& e) {
 }
 
 void describe(Properties& v, Organism& o) {
-  v.text(
-      "species", o.species,
-      "Another preset, named as seen from this one's folder: the kind of its first organism and all that it "
-      "says of how that grows and looks stand wherever this one has nothing of its own");
+  v.text("species", o.species,
+         "Another preset, named as seen from this one's folder: the kind of its first organism and all that "
+         "it says of how that grows and looks stand wherever this one has nothing of its own");
   v.text("name", o.name, "Your name for it, by which messages and ivy's `on` call it");
   if (v.purpose() != Purpose::keys)
     v.text("group", o.group,

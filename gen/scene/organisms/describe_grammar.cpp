@@ -209,8 +209,7 @@ void describe_line(Properties& v, GuideText& g) {
         g.lines = std::move(*lines);
         return {};
       },
-      "An OBJ file of lines or a skeleton as SWC, named as seen from this file's folder, in place of "
-      "points");
+      "An OBJ file of lines or a skeleton as SWC, named as seen from this file's folder, in place of points");
 }
 
 void describe(Properties& v, GuideText& g) {
@@ -234,7 +233,7 @@ void describe_grammar(Properties& v, GrammarText& g, LoadFile load, std::string_
   v.file("file", g.file, load, doc);
   v.text("axiom", g.axiom, "The word that the derivation begins with");
   v.integer("steps", g.steps, {.min = 0, .max = 1e6}, "Number of derivation steps");
-  v.number("last_step", g.last_step, {.min = 0, .max = 1}, "How far the last step has grown");
+  v.number("last_step", g.last_step, kShare, "How far the last step has grown");
   v.number("angle", g.angle, {.min = -360, .max = 360, .unit = "degrees"}, "Angle of a turn that gives none");
   v.number("length", g.length, {.min = -1e6, .max = 1e6}, "Length of an F or f that gives none");
   v.number("width", g.width, {.min = 0, .max = 1e6}, "Diameter that the turtle begins with");
@@ -244,7 +243,7 @@ void describe_grammar(Properties& v, GrammarText& g, LoadFile load, std::string_
            "Factor by which symbols of Houdini and LParser multiply or divide the angle");
   v.number("angle_jitter", g.angle_jitter, {.min = 0, .max = 180, .unit = "degrees"},
            "Random change of each turn, either way");
-  v.number("length_jitter", g.length_jitter, {.min = 0, .max = 1},
+  v.number("length_jitter", g.length_jitter, kShare,
            "Random change of each length, either way, as a share of it");
   v.pairs("constants", g.constants, "Names for numbers and expressions that rules may use");
   v.list("rules", g.rules, "The productions, tried in this order");
@@ -278,8 +277,7 @@ void describe(Properties& v, GrammarText& g) {
   describe_grammar(
       v, g, [&](const NamedFile& file) { return load_grammar(file, g); },
       "A grammar of LParser, Houdini or Fractint or a skeleton as SWC, named as seen from this file's "
-      "folder; "
-      "what else is given here counts in place of what stands there");
+      "folder; what else is given here counts in place of what stands there");
 }
 
 }  // namespace frond

@@ -51,7 +51,7 @@ void follow_ground(Solids& solids, const World& world, float foot_height) {
 
 Quat lean_of(const Organism& organism, Seed planting) {
   double toward = planting.child("toward").range(0, 2 * kPi);
-  Vec3 axis(static_cast<float>(std::cos(toward)), 0, static_cast<float>(std::sin(toward)));
+  Vec3 axis(std::cos(toward), 0, std::sin(toward));
   return glm::angleAxis(static_cast<float>(organism.place.lean * planting.child("lean").unit()), axis);
 }
 

@@ -102,10 +102,9 @@ void describe(Properties& v, Weathering& w) {
             "Number of planes along which pieces have broken off");
   v.number("facet_depth", w.facet_depth, {.min = 0, .max = 0.9},
            "How much has broken off, as a share of the size");
-  v.number("edge", w.edge, {.min = 0, .max = 1}, "How round the edges between facets are: 0 sharp, 1 worn");
-  v.number("roughness", w.roughness, {.min = 0, .max = 1}, "How strong lumps, dents and grain are");
-  v.number("strata", w.strata, {.min = 0, .max = 1},
-           "How far soft layers lie back behind hard ones; 0 shows no layers");
+  v.number("edge", w.edge, kShare, "How round the edges between facets are: 0 sharp, 1 worn");
+  v.number("roughness", w.roughness, kShare, "How strong lumps, dents and grain are");
+  v.number("strata", w.strata, kShare, "How far soft layers lie back behind hard ones; 0 shows no layers");
   v.number("layer", w.layer, {.min = 0.01, .max = 1},
            "Thickness of a layer, as a share of the size. Needs strata above 0");
   v.angle("dip", w.dip, {.min = 0, .max = 90},
@@ -119,9 +118,9 @@ void describe(Properties& v, StoneLook& s) {
   v.choice("kind", s.kind, kStoneKinds, "What stone it is");
   v.color("color", s.color, "Colour of the stone; without it that of its kind");
   v.color("second", s.second, "Colour of grains, bands or cracks; without it that of its kind");
-  v.number("scale", s.scale, {.min = 0.001, .max = 100, .unit = "m"}, "Size of the pattern in the stone");
+  v.number("scale", s.scale, metres(0.001, 100), "Size of the pattern in the stone");
   v.number("relief", s.relief, {.min = 0, .max = 3}, "Depth of grain and cracks");
-  v.number("moss", s.moss, {.min = 0, .max = 1}, "How much moss and lichen grow on what faces upward");
+  v.number("moss", s.moss, kShare, "How much moss and lichen grow on what faces upward");
   v.object("moss_map", s.moss_map,
            "A picture that scales the moss, projected onto the stone in the world, with an area");
   v.number("variation", s.variation, {.min = 0, .max = 0.9},

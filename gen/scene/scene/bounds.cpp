@@ -75,13 +75,12 @@ Errors without_room(const Preset& preset) {
     if (!o.sown) most = std::min(most, 0.6 * most + 40);
     double more = o.count - static_cast<double>(o.place.at.size());
     if (room <= 0 || more <= most) continue;
-    list.push_back(
-        {fmt::format("/organisms/{}/count", i),
-         fmt::format(
-             "{} have no room: each keeps {:.3g} m free round itself, so that {:.0f} at most "
-             "could stand there; expected fewer, or {}",
-             o.count, room, std::floor(most) + static_cast<double>(o.place.at.size()),
-             o.sown ? "a smaller sown.where.radius" : "a larger place.radius or a smaller place.spacing")});
+    list.push_back(error_at(
+        fmt::format("/organisms/{}/count", i),
+        "{} have no room: each keeps {:.3g} m free round itself, so that {:.0f} at most could stand there; "
+        "expected fewer, or {}",
+        o.count, room, std::floor(most) + static_cast<double>(o.place.at.size()),
+        o.sown ? "a smaller sown.where.radius" : "a larger place.radius or a smaller place.spacing"));
   }
   return list;
 }

@@ -54,8 +54,7 @@ Vec2 shaken(const Shake& shake, double time, double film_length) {
     double rate = looping_rate(shake.frequency * std::pow(kGolden, i), shake.loop ? film_length : 0);
     double phase = 2 * kPi * (rate * time + 0.29 * i);
     // The other direction by other phases, so that it goes along no line.
-    sum += static_cast<float>(weight) *
-           Vec2(static_cast<float>(std::sin(phase)), static_cast<float>(std::sin(phase + 1.9 + i)));
+    sum += static_cast<float>(weight) * Vec2(std::sin(phase), std::sin(phase + 1.9 + i));
     all += weight;
   }
   return sum * static_cast<float>(shake.amplitude / all);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "geometry/far.h"
 
@@ -114,7 +113,7 @@ void merge(CopyPart& part, const Model& model, std::size_t which, const FarShape
                colors;
       // A place at the far rim would be one on the next leaf.
       Vec2 uv = glm::clamp(far.surface.uv[v], Vec2(0.001f), Vec2(0.999f));
-      out.uv.push_back(uv + Vec2(static_cast<float>(k + color), 0));
+      out.uv.push_back(uv + Vec2(k + color, 0));
     }
     for (auto [a, b, c] : far.surface.triangle) out.triangle.push_back({first + a, first + b, first + c});
     if (blocks) part.block.resize(out.triangle.size(), blocks->of(o.position[i]));

@@ -41,7 +41,7 @@ bool read_focus(Reader& reader, const Value& value, Focus& focus) {
     if (value.text.empty()) reader.fault(value, "a point, keyframes of one, or the name of an organism");
     return !value.text.empty();
   }
-  auto point = reader.animated_at(value, {.min = -1000, .max = 1000, .unit = "m"}, Animated<Vec3>{});
+  auto point = reader.animated_at(value, metres(-1000, 1000), Animated<Vec3>{});
   if (point) focus.point = *point;
   return point.has_value();
 }
@@ -56,14 +56,13 @@ void describe_rest(KeyWriter& v, Focus& focus) {
 void describe(Properties& v, Orbit& o) {
   v.angle("turn", o.turn, {.min = -36000, .max = 36000, .sense = "360 once round, -90 a quarter to the left"},
           "How far the camera goes round while the film lasts, to the right of where it looks");
-  v.number("rise", o.rise, {.min = -1000, .max = 1000, .unit = "m"},
-           "By how much the camera ends higher than it begins");
-  v.vector("center", o.center, {.min = -1000, .max = 1000, .unit = "m"},
+  v.number("rise", o.rise, metres(-1000, 1000), "By how much the camera ends higher than it begins");
+  v.vector("center", o.center, metres(-1000, 1000),
            "The point that the camera goes round; not given: what it looks at");
 }
 
 void describe(Properties& v, Rail& r) {
-  v.vector("to", r.to, {.min = -1000, .max = 1000, .unit = "m"},
+  v.vector("to", r.to, metres(-1000, 1000),
            "Where the camera ends that goes in a straight line from `location`");
   v.required("to");
 }
@@ -107,26 +106,24 @@ void describe(Properties& v, Composition& c) {
 void describe(Properties& v, NamedView& w) {
   v.text("name", w.name, "What the view is called");
   v.required("name");
-  v.vector("at", w.at, {.min = -1e6, .max = 1e6, .unit = "m"}, "Where one stands");
-  v.vector("to", w.to, {.min = -1e6, .max = 1e6, .unit = "m"}, "The point that one looks at");
+  v.vector("at", w.at, metres(-1e6, 1e6), "Where one stands");
+  v.vector("to", w.to, metres(-1e6, 1e6), "The point that one looks at");
   v.number("angle", w.angle, {.min = 1, .max = 160, .unit = "degrees"},
            "Angle of the view, from its left edge to its right");
 }
 
 void describe(Properties& v, Camera& c) {
-  v.animated("location", c.location, {.min = -1000, .max = 1000, .unit = "m"}, "Where the camera stands");
-  v.animated("look_at", c.look_at, {.min = -1000, .max = 1000, .unit = "m"},
-             "The point that the camera looks at");
+  v.animated("location", c.location, metres(-1000, 1000), "Where the camera stands");
+  v.animated("look_at", c.look_at, metres(-1000, 1000), "The point that the camera looks at");
   v.animated("angle", c.angle, {.min = 1, .max = 160, .unit = "degrees"},
              "Angle of the view, from its left edge to its right");
   v.object("move", c.move,
            "A move of the camera over the whole film, on top of its `location` and `look_at`");
   v.boolean("follow", c.follow,
             "Whether heights of the camera count from the ground below it instead of from y = 0");
-  v.list(
-      "fit", c.fit,
-      "Names of organisms, or \"all\": the camera goes on looking the same way and moves to where these fill "
-      "the picture, grown, whatever its shape");
+  v.list("fit", c.fit,
+         "Names of organisms, or \"all\": the camera goes on looking the same way and moves to where these "
+         "fill the picture, grown, whatever its shape");
   v.number("margin", c.margin, {.min = 0, .max = 0.45},
            "Share of the picture's width and height that `fit` leaves free at each edge");
   v.object(
@@ -174,57 +171,46 @@ void describe(Properties& v, Wind& w) {
 }
 
 void describe(Properties& v, Floor& f) {
-  v.number("relief", f.relief, {.min = 0, .max = 5, .unit = "m"},
-           "Height of the dunes, or of the lawn's swells");
-  v.number("scale", f.scale, {.min = 0.1, .max = 100, .unit = "m"},
-           "Distance from one dune or swell to the next");
+  v.number("relief", f.relief, metres(0, 5), "Height of the dunes, or of the lawn's swells");
+  v.number("scale", f.scale, metres(0.1, 100), "Distance from one dune or swell to the next");
   v.integer("stones", f.stones, {.min = 0, .max = 5000}, "Number of loose stones, under water only");
-  v.number("stone_size", f.stone_size, {.min = 0.001, .max = 10, .unit = "m"},
-           "Size of the largest loose stone");
-  v.number("extent", f.extent, {.min = 0.1, .max = 30, .unit = "m"},
-           "Distance from the middle within which loose stones lie");
+  v.number("stone_size", f.stone_size, metres(0.001, 10), "Size of the largest loose stone");
+  v.number("extent", f.extent, metres(0.1, 30), "Distance from the middle within which loose stones lie");
 }
 
 void describe(Properties& v, FarLandShape& f) {
   v.number("reach", f.reach, {.min = 0, .max = 40000, .unit = "m", .sense = "0 no far land"},
            "Distance from the middle to the horizon");
-  v.number("relief", f.relief, {.min = 0, .max = 500, .unit = "m"},
-           "Height of far hills above their valleys");
-  v.number("hill_size", f.hill_size, {.min = 200, .max = 10000, .unit = "m"},
-           "Distance from one far hill to the next");
-  v.number("parcel", f.parcel, {.min = 20, .max = 1000, .unit = "m"},
+  v.number("relief", f.relief, metres(0, 500), "Height of far hills above their valleys");
+  v.number("hill_size", f.hill_size, metres(200, 10000), "Distance from one far hill to the next");
+  v.number("parcel", f.parcel, metres(20, 1000),
            "Mean width of the far fields and meadows, which are twice as long");
-  v.number("fields", f.fields, {.min = 0, .max = 1},
-           "Share of the open far land that is ploughed; the rest is grass");
-  v.number("woods", f.woods, {.min = 0, .max = 1}, "Share of the far land that is wooded");
-  v.number("hedges", f.hedges, {.min = 0, .max = 1},
-           "Share of the borders between far fields that have a hedge");
-  v.number("villages", f.villages, {.min = 0, .max = 10000, .unit = "m"},
+  v.number("fields", f.fields, kShare, "Share of the open far land that is ploughed; the rest is grass");
+  v.number("woods", f.woods, kShare, "Share of the far land that is wooded");
+  v.number("hedges", f.hedges, kShare, "Share of the borders between far fields that have a hedge");
+  v.number("villages", f.villages, metres(0, 10000),
            "Distance from one village to the next along a road; 0 leaves none");
-  v.number("mountains", f.mountains, {.min = 0, .max = 5000, .unit = "m"},
-           "Height of mountains above the far hills; 0 is none");
-  v.number("mountains_distance", f.mountains_distance, {.min = 1000, .max = 40000, .unit = "m"},
+  v.number("mountains", f.mountains, metres(0, 5000), "Height of mountains above the far hills; 0 is none");
+  v.number("mountains_distance", f.mountains_distance, metres(1000, 40000),
            "Distance from the middle at which mountains have reached their height");
-  v.number("tree_line", f.tree_line, {.min = 0, .max = 100000, .unit = "m"},
+  v.number("tree_line", f.tree_line, metres(0, 100000),
            "Height above the middle up to which far woods climb");
-  v.number("snow_line", f.snow_line, {.min = 0, .max = 100000, .unit = "m"},
+  v.number("snow_line", f.snow_line, metres(0, 100000),
            "Height above the middle from which far mountains are white");
   v.list("trees", f.trees, Count{0, 16},
          "Names of organisms with `sown` that far trees are copies of: the first stands where conifers grow, "
-         "the "
-         "others elsewhere; none: trees of a plain shape");
+         "the others elsewhere; none: trees of a plain shape");
 }
 
 void describe(Properties& v, Snow& s) {
-  v.animated("depth", s.depth, {.min = 0, .max = 2, .unit = "m"},
+  v.animated("depth", s.depth, metres(0, 2),
              "Depth of the snow on open level ground; with keyframes it falls and melts");
   v.object("depth_map", s.depth_map,
            "A picture that scales the depth over the land; a bare file name will do");
-  v.animated("frost", s.frost, {.min = 0, .max = 1},
-             "How white hoarfrost makes leaves, twigs and blades of grass");
+  v.animated("frost", s.frost, kShare, "How white hoarfrost makes leaves, twigs and blades of grass");
   v.angle("wind", s.wind, {.min = -360, .max = 360},
           "Direction that the wind comes from which brought the snow: 0 from +z, 90 from +x");
-  v.number("drift", s.drift, {.min = 0, .max = 1},
+  v.number("drift", s.drift, kShare,
            "How much of the snow the wind has carried into the lee of what stands there: 0 calm, 1 a storm");
   v.animated(
       "falling", s.falling,
@@ -243,17 +229,15 @@ void describe(Properties& v, Rain& r) {
   v.animated(
       "fallen", r.fallen, {.min = 0, .max = 100, .unit = "mm"},
       "How much rain has fallen, which makes things wet and fills puddles; with keyframes they fill and dry");
-  v.animated("mist", r.mist, {.min = 0, .max = 50, .unit = "m"},
-             "Height of the mist that rain leaves over the ground; 0 is none");
+  v.animated("mist", r.mist, metres(0, 50), "Height of the mist that rain leaves over the ground; 0 is none");
 }
 
 void describe(Properties& v, Air& a) {
   v.animated("visibility", a.visibility,
              {.min = 1, .max = 50'000, .unit = "m", .sense = "100 fog, 400 mist, 2000 a hazy morning"},
              "How far one sees through it where it is densest; with keyframes it lifts");
-  v.number("level", a.level, {.min = -1000, .max = 10'000, .unit = "m"},
-           "Height (y) up to which it is as dense");
-  v.number("height", a.height, {.min = 0.1, .max = 10'000, .unit = "m"},
+  v.number("level", a.level, metres(-1000, 10'000), "Height (y) up to which it is as dense");
+  v.number("height", a.height, metres(0.1, 10'000),
            "Rise above that in which it thins to a third: less is ground mist");
   v.number("forward", a.forward, {.min = 0, .max = 0.95, .sense = "0 all ways alike, 0.7 mist, 0.9 spray"},
            "How far light that it scatters goes on as it came: more is brighter toward the sun");
@@ -306,12 +290,10 @@ void describe(Properties& v, Preset& p) {
             "Seed of everything random: another number gives another reef, tree or wood by the same rules");
   v.object("taxon", p.taxon,
            "What is known of the species that the first organism is; it is found by these names, and nothing "
-           "grows "
-           "otherwise by it");
-  v.custom(
-      "palettes", p.palettes, read_palettes, kPalettesSchema,
-      "Lists of colours by name: `palette:autumn/0` stands for the first one of autumn wherever a colour "
-      "may, and `palette:autumn` for all of them in a list");
+           "grows otherwise by it");
+  v.custom("palettes", p.palettes, read_palettes, kPalettesSchema,
+           "Lists of colours by name: `palette:autumn/0` stands for the first one of autumn wherever a "
+           "colour may, and `palette:autumn` for all of them in a list");
   v.object("film", p.film, "Length, size and quality of the film");
   v.object("scene", p.setup, "Everything but the organisms: surroundings, light and camera");
   v.list("events", p.events, Count{0, 1000},

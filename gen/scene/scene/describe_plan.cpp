@@ -23,7 +23,7 @@ void describe(Properties& v, RoomKind& r) {
   v.size(
       "size", r.size, kPlanCells,
       "How many cells such a room has across and deep, as one comes in, where its symbol has no parameters");
-  v.number("inset", r.inset, {.min = 0.05, .max = 10, .unit = "m"},
+  v.number("inset", r.inset, metres(0.05, 10),
            "Distance from the edge of a room's cells to that of the room");
   v.choice("ground", r.ground, kRoomGrounds, "What covers the ground of such a room, in a garden");
 }
@@ -32,9 +32,9 @@ void describe(Properties& v, PlanText& p) {
   v.object("grammar", p.grammar,
            "The grammar whose word is walked over the cells: F a way, + - | turns, [ ] branches, and rooms");
   v.size("size", p.size, kPlanCells, "How many cells the plan has along x and along z");
-  v.number("cell", p.cell, {.min = 0.5, .max = 20, .unit = "m"}, "Side of a cell");
-  v.number("way", p.way, {.min = 0.1, .max = 20, .unit = "m"}, "Width of the ways");
-  v.number("opening", p.opening, {.min = 0.1, .max = 20, .unit = "m"},
+  v.number("cell", p.cell, metres(0.5, 20), "Side of a cell");
+  v.number("way", p.way, metres(0.1, 20), "Width of the ways");
+  v.number("opening", p.opening, metres(0.1, 20),
            "Width of the gate and of the openings by which ways come into rooms");
   v.list("rooms", p.rooms, "The kinds of rooms");
 }

@@ -23,7 +23,7 @@ void describe(Properties& v, TreeText& t) {
   v.text("organism", t.organism,
          "Name of the organism that these trees are drawn as, one with `sown` and a `count` of 0; not given: "
          "they are not drawn");
-  v.number("height", t.height, {.min = 2, .max = 100, .unit = "m"}, "Height of the tallest trees");
+  v.number("height", t.height, metres(2, 100), "Height of the tallest trees");
   v.number("girth_gain", t.girth_gain, {.min = 0.1, .max = 10, .unit = "cm"},
            "How much girth a tree in the open adds in a year");
   v.number("tolerance", t.tolerance, {.min = 1, .max = 5},
@@ -32,15 +32,14 @@ void describe(Properties& v, TreeText& t) {
            "Age by which two of three trees would have died of age alone");
   v.number("anchorage", t.anchorage, {.min = 1, .max = 10000, .unit = "N m/kg"},
            "Moment that the roots hold for each kilogram of the fresh stem");
-  v.number("reach", t.reach, {.min = 0.5, .max = 10000, .unit = "m"},
-           "Median distance of the seeds from their tree");
+  v.number("reach", t.reach, metres(0.5, 10000), "Median distance of the seeds from their tree");
   v.number("seeds", t.seeds, {.min = 0, .max = 1000},
            "Seedlings a year for each square metre of a crown, where all suits them");
   v.number("arrival", t.arrival, {.min = 0, .max = 1000},
            "Seedlings a year on each square metre from seeds that come from beyond the land");
   v.number("coldest", t.coldest, {.min = -5, .max = 25, .unit = "degrees"},
            "Mean temperature of the growing season at which the species no longer grows");
-  v.number("moisture", t.moisture, {.min = 0, .max = 1},
+  v.number("moisture", t.moisture, kShare,
            "Moisture of the ground that the species likes best: 0 dry, 1 wet");
 }
 
@@ -52,7 +51,7 @@ void describe(Properties& v, StandPlanting& p) {
 }
 
 void describe(Properties& v, StandText& s) {
-  v.vector("area", s.area, {.min = 10, .max = 1000, .unit = "m"}, "How long the land is along x and along z");
+  v.vector("area", s.area, metres(10, 1000), "How long the land is along x and along z");
   v.integer("years", s.years, {.min = 1, .max = 2000}, "How many years are simulated");
   v.vector("shown", s.shown, {.min = 0, .max = 2000, .unit = "years"},
            "The years that a film shows, first and last; not given: all that are simulated. A still shows "
@@ -65,7 +64,7 @@ void describe(Properties& v, StandText& s) {
   v.number(
       "temperature", s.temperature, {.min = -5, .max = 30, .unit = "degrees"},
       "Mean temperature of the growing season at height 0 of the land; it falls by 6.5 degrees a kilometre");
-  v.number("moisture", s.moisture, {.min = 0, .max = 1}, "Moisture of the ground: 0 dry, 1 wet");
+  v.number("moisture", s.moisture, kShare, "Moisture of the ground: 0 dry, 1 wet");
 }
 
 }  // namespace frond

@@ -107,7 +107,7 @@ Error site_fault(const Preset& preset, std::size_t index) {
   const std::string& name = in ? place.in : place.along;
   if (in && !place.along.empty()) return {where, "stands beside \"along\"; expected one of the two"};
   if (!preset.plan)
-    return {where, fmt::format("no plan that has \"{}\"; expected a \"plan\" in the preset", name)};
+    return error_at(where, "no plan that has \"{}\"; expected a \"plan\" in the preset", name);
   if (in && preset.organisms[index].grower->traits().finds_own_place())
     return {where, "this kind finds its own place; expected another kind"};
   std::vector<std::string_view> names;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/files.h"
 #include "preset/json.h"
 
 namespace frond {
@@ -39,8 +40,7 @@ Result<std::string> renamed(const std::string& text, const fs::path& folder,
   std::ranges::reverse(names);
   for (const Value* name : names) {
     fs::path file = folder / name->text;
-    std::error_code error;
-    if (!fs::is_regular_file(file, error)) continue;
+    if (!is_file(file)) continue;
     Result<std::string> own = name_of(file);
     if (!own) return own;
     std::string written = serialize(*name);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/files.h"
 #include "preset/fault.h"
 #include "preset/json.h"
 #include "preset/merge.h"
@@ -62,8 +63,7 @@ fs::path folder_of(const Value& value, const std::string& file_name) {
 /// files, and where there is none by that rule, one that comes with Frond, as shipped_by_name() finds it.
 Result<NamedFile> read_named_preset(const Assets& assets, const std::string& name, const fs::path& folder) {
   Result<NamedFile> file = assets.read(name, folder);
-  std::error_code error;
-  if (file || fs::exists(folder / name, error)) return file;
+  if (file || path_exists(folder / name)) return file;
   std::optional<fs::path> shipped = shipped_by_name(name);
   return shipped ? assets.read(shipped->string(), folder) : file;
 }

@@ -33,7 +33,7 @@ std::vector<StandEvent> events_of(const Preset& preset) {
 StandHistory stand_history(const Preset& preset, const Grounds& ground) {
   Land laid = ground.land({});
   auto land = [&](double x, double z) {
-    Vec2 at(static_cast<float>(x), static_cast<float>(z));
+    Vec2 at(x, z);
     bool trodden = laid.path && laid.path(at) < kVerge;
     return StandGround{static_cast<double>(ground.height(at)), trodden ? kNoSoil : preset.stand->moisture};
   };

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr Range kLengths{.min = 0, .max = 150, .unit = "m"};
+constexpr Range kLengths = metres(0, 150);
 constexpr Range kMonths{.min = 1, .max = 12, .unit = "months"};
 
 /// A name as names are compared: in lower case, its words parted by blanks.

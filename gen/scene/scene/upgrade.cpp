@@ -114,13 +114,13 @@ class Upgrader {
       const Value *cut = events.items[i].find("cut"), *share = events.items[i].find("share");
       std::string place = fmt::format("{}/{}", pointer, i);
       if (cut && cut->is(Value::Type::text)) {
-        constexpr double kShare = 0.5;
+        constexpr double kUsualShare = 0.5;
         std::string entry = drawn_as(cut->text);
         // An organism of this name there is not, which is said when the preset is read.
         if (entry.empty()) entry = cut->text;
         edits_.replace(place + "/cut",
                        fmt::format("{{\"entry\": {}, \"share\": {}}}", serialize(make_text(entry)),
-                                   serialize(make_number(share ? share->number : kShare))));
+                                   serialize(make_number(share ? share->number : kUsualShare))));
         note(*cut, place + "/cut", "is an object, which names an organism and has the share");
       }
       if (share) edits_.remove(place + "/share");

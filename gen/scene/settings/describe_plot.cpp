@@ -16,18 +16,17 @@ void describe_place(Properties& v, Moment& m) {
 }
 
 void describe(Properties& v, PondShape& p) {
-  v.vector("center", p.center, {.min = -28, .max = 28, .unit = "m"}, "Middle of the pond, x and z");
-  v.vector("size", p.size, {.min = 0, .max = 20, .unit = "m"},
+  v.vector("center", p.center, metres(-28, 28), "Middle of the pond, x and z");
+  v.vector("size", p.size, metres(0, 20),
            "Distance from the middle to the shore along x and along z; 0 is no pond");
-  v.number("depth", p.depth, {.min = 0.1, .max = 5, .unit = "m"}, "Depth of the pond's bed below the lawn");
-  v.number("level", p.level, {.min = -2, .max = 0, .unit = "m"},
-           "Height of the water above the lawn; negative is below it");
+  v.number("depth", p.depth, metres(0.1, 5), "Depth of the pond's bed below the lawn");
+  v.number("level", p.level, metres(-2, 0), "Height of the water above the lawn; negative is below it");
 }
 
 void describe(Properties& v, PathShape& p) {
   v.list("points", p.points,
          "Points [x, z] in metres of a smooth curve, or objects with handles; fewer than two make no path");
-  v.number("width", p.width, {.min = 0.1, .max = 20, .unit = "m"}, "Width of the path");
+  v.number("width", p.width, metres(0.1, 20), "Width of the path");
 }
 
 namespace {
@@ -43,8 +42,8 @@ constexpr double kLongestPath = 10'000;  // metres
 
 void describe(Properties& v, GroundArea& a) {
   v.choice("kind", a.kind, kAreaKinds, "What lies on the area");
-  v.vector("center", a.center, {.min = -30, .max = 30, .unit = "m"}, "Middle of the area, x and z");
-  v.vector("size", a.size, {.min = 0.05, .max = 60, .unit = "m"}, "Extent of the area along x and along z");
+  v.vector("center", a.center, metres(-30, 30), "Middle of the area, x and z");
+  v.vector("size", a.size, metres(0.05, 60), "Extent of the area along x and along z");
   v.list("outline", a.outline, Count{3, 400},
          "Corners [x, z] in metres of an area of another shape, or objects with handles, in place of center "
          "and size");
@@ -54,18 +53,18 @@ void describe(Properties& v, GroundArea& a) {
 void check_path(Errors& list, const PathShape& path, const std::string& pointer, double reach) {
   if (static_cast<double>(path.points.size()) > kMostPoints)
     return list.push_back(
-        {pointer, fmt::format("found {} points; expected {:g} at most", path.points.size(), kMostPoints)});
+        error_at(pointer, "found {} points; expected {:g} at most", path.points.size(), kMostPoints));
   double length = 0;
   for (std::size_t i = 0; i < path.points.size(); ++i) {
     if (glm::length(glm::dvec2(path.points[i].at)) > reach)
-      return list.push_back(
-          {fmt::format("{}/{}", pointer, i),
-           fmt::format("lies off the ground; expected a place within {:g} m of the middle", reach)});
+      return list.push_back(error_at(fmt::format("{}/{}", pointer, i),
+                                     "lies off the ground; expected a place within {:g} m of the middle",
+                                     reach));
     if (i > 0) length += glm::distance(path.points[i - 1].at, path.points[i].at);
   }
   if (length > kLongestPath)
     list.push_back(
-        {pointer, fmt::format("makes a path of {:.3g} m; expected {:g} m at most", length, kLongestPath)});
+        error_at(pointer, "makes a path of {:.3g} m; expected {:g} m at most", length, kLongestPath));
 }
 
 }  // namespace frond

@@ -1,7 +1,5 @@
 #include "settings/forest.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,20 +14,18 @@
 namespace frond {
 
 void describe(Properties& v, StreamShape& s) {
-  v.vector("from", s.from, {.min = -2000, .max = 2000, .unit = "m"}, "Place x, z where the stream begins");
-  v.number("width", s.width, {.min = 0, .max = 12, .unit = "m"},
-           "Width of the stream's water on average; 0 is no stream");
-  v.number("depth", s.depth, {.min = 0.05, .max = 2, .unit = "m"}, "Depth of the stream in its middle");
+  v.vector("from", s.from, metres(-2000, 2000), "Place x, z where the stream begins");
+  v.number("width", s.width, metres(0, 12), "Width of the stream's water on average; 0 is no stream");
+  v.number("depth", s.depth, metres(0.05, 2), "Depth of the stream in its middle");
   v.integer("leaves", s.leaves, {.min = 0, .max = 2000}, "How many fallen leaves drift on the stream");
 }
 
 void describe(Properties& v, TerrainShape& t) {
-  v.number("size", t.size, {.min = 2, .max = 4000, .unit = "m"}, "Side of the square of land that is sown");
-  v.number("hills", t.hills, {.min = 0, .max = 500, .unit = "m"}, "Height from valley to hilltop");
-  v.number("hill_size", t.hill_size, {.min = 1, .max = 5000, .unit = "m"},
-           "Distance from one hill to the next");
-  v.number("rough", t.rough, {.min = 0, .max = 1}, "How broken the land is: 0 rolling, 1 broken");
-  v.number("erosion", t.erosion, {.min = 0, .max = 1},
+  v.number("size", t.size, metres(2, 4000), "Side of the square of land that is sown");
+  v.number("hills", t.hills, metres(0, 500), "Height from valley to hilltop");
+  v.number("hill_size", t.hill_size, metres(1, 5000), "Distance from one hill to the next");
+  v.number("rough", t.rough, kShare, "How broken the land is: 0 rolling, 1 broken");
+  v.number("erosion", t.erosion, kShare,
            "How far running water has worn the hills: 1 spurs and gullies of high mountains, with bare rock "
            "where it is steep; 0 is woodland all over");
   v.object("path", t.path, "A path through the wood that is kept clear");
@@ -40,15 +36,14 @@ void describe(Properties& v, Forest& f) {
   v.animated("hour", f.hour, kHours,
              "Hour of the day, which places the sun: 6 dawn, 12 noon, 19 dusk; with keyframes a day goes by");
   describe_place(v, f.when);
-  v.number("mist", f.mist, {.min = 0, .max = 200, .unit = "m"},
-           "Height to which mist fills the valleys; 0 is none");
+  v.number("mist", f.mist, metres(0, 200), "Height to which mist fills the valleys; 0 is none");
   v.number("brighten", f.brighten, {.min = -4, .max = 6},
            "Stops by which the picture is brighter than of open land, as little light falls below crowns");
   v.object("terrain", f.terrain, "The shape of the land");
   v.color("litter", f.litter, "Colour of fallen leaves and earth");
   v.color("green", f.green, "Colour of moss");
   v.color("air", f.air, "Colour that light takes in the crowns: that of the air between the trunks");
-  v.number("moss", f.moss, {.min = 0, .max = 1}, "Share of the ground that is green");
+  v.number("moss", f.moss, kShare, "Share of the ground that is green");
   v.object("moss_map", f.moss_map, "A picture that scales moss over the land; a bare file name will do");
 }
 
@@ -77,9 +72,9 @@ void check_litter(Errors& list, const SceneSetup& setup, const Film& film) {
     last = at;
   }
   if (length > kLongestCameraPath)
-    list.push_back({"/camera/location",
-                    fmt::format("the camera goes {:.3g} m through the forest; expected {:g} m at most",
-                                length, kLongestCameraPath)});
+    list.push_back(error_at("/camera/location",
+                            "the camera goes {:.3g} m through the forest; expected {:g} m at most", length,
+                            kLongestCameraPath));
 }
 
 /// Share of the light that crowns take at a time of the year, against summer.

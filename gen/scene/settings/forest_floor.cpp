@@ -78,11 +78,10 @@ class NearCells {
 
 Patch laid(const ForestLand& land, int first_shape, Vec2 at, const Seed& seed) {
   float step = static_cast<float>(kSide / 2);
-  Vec2 slope(static_cast<float>(land.height(at + Vec2(step, 0)) - land.height(at - Vec2(step, 0))),
-             static_cast<float>(land.height(at + Vec2(0, step)) - land.height(at - Vec2(0, step))));
+  Vec2 slope(land.height(at + Vec2(step, 0)) - land.height(at - Vec2(step, 0)),
+             land.height(at + Vec2(0, step)) - land.height(at - Vec2(0, step)));
   int shape = first_shape + static_cast<int>(seed.child("shape").bits() % kShapes);
-  return {shape, Vec3(at.x, static_cast<float>(land.height(at)), at.y), seed.child("turn").range(0, 2 * kPi),
-          slope / (2 * step)};
+  return {shape, Vec3(at.x, land.height(at), at.y), seed.child("turn").range(0, 2 * kPi), slope / (2 * step)};
 }
 
 /// Metres aside of a line that goes straight on behind both ends, negative on its left.
@@ -106,8 +105,7 @@ double aside_of(const std::vector<Vec2>& line, Vec2 at) {
 double mossiness(const ForestLand& land, double share, Vec2 at, Seed seed) {
   if (land.moss) share *= land.moss(at);
   if (share <= 0) return 0;
-  Vec3 shift(static_cast<float>(seed.child("x").range(0, 99)), 0,
-             static_cast<float>(seed.child("z").range(0, 99)));
+  Vec3 shift(seed.child("x").range(0, 99), 0, seed.child("z").range(0, 99));
   double patch = fractal_noise(Vec3(at.x, 0, at.y) * (1 / 2.6f) + shift, 3);
   double steep = std::hypot(land.height(at + Vec2(0.5f, 0)) - land.height(at - Vec2(0.5f, 0)),
                             land.height(at + Vec2(0, 0.5f)) - land.height(at - Vec2(0, 0.5f)));
@@ -160,8 +158,8 @@ ForestCover strew_floor(const Film& film, const Camera& camera, const ForestLand
   // Patches lie on one grid for the whole world, so that another camera finds the same ones.
   for (auto [row, column] : near.cells()) {
     Seed own = seed.child("row", static_cast<std::uint64_t>(row)).child(static_cast<std::uint64_t>(column));
-    Vec2 at(static_cast<float>((static_cast<double>(column) + own.child("x").unit()) * kSide),
-            static_cast<float>((static_cast<double>(row) + own.child("z").unit()) * kSide));
+    Vec2 at((static_cast<double>(column) + own.child("x").unit()) * kSide,
+            (static_cast<double>(row) + own.child("z").unit()) * kSide);
     if (own.child("far").unit() < smooth_step(kNear, kFar, near.away(at))) continue;
     double edge = land.path(at) + own.child("edge").range(-0.25, 0.25);
     bool green = mossiness(land, moss, at, seed) > own.child("moss").range(0.46, 0.58);

@@ -1,7 +1,5 @@
 #include "settings/garden.h"
 
-#include <fmt/format.h>
-
 #include "core/linear.h"
 #include "core/polyline.h"
 #include "settings/describe_plot.h"
@@ -19,8 +17,8 @@ void describe(Properties& v, Garden& g) {
   v.list("areas", g.areas, Count{0, 1000},
          "Areas of gravel or of bare earth in the lawn; a plan adds its ways and rooms to them");
   v.integer("lilies", g.lilies, {.min = 0, .max = 2000}, "Number of leaves of water lilies on the pond");
-  v.number("gravel", g.gravel, {.min = 0.02, .max = 1, .unit = "m"}, "Size of the stones on the path");
-  v.number("clods", g.clods, {.min = 0.01, .max = 1, .unit = "m"}, "Size of the clods of earth in beds");
+  v.number("gravel", g.gravel, metres(0.02, 1), "Size of the stones on the path");
+  v.number("clods", g.clods, metres(0.01, 1), "Size of the clods of earth in beds");
   v.color("gravel_color", g.gravel_color, "Colour of the stones on the path");
   v.color("earth_color", g.earth_color, "Colour of bare earth");
 }
@@ -46,10 +44,10 @@ void check_stones(Errors& list, const Garden& garden) {
   auto check = [&](const char* pointer, double size, double covered, const char* what) {
     double side = 10 * size, patches = covered / (side * side);
     if (patches > kMostPatches)
-      list.push_back(
-          {pointer, fmt::format("stones of {:g} m take {:.2g} patches on such {}; expected {:g} at most, by "
-                                "larger ones or less of it",
-                                size, patches, what, kMostPatches)});
+      list.push_back(error_at(pointer,
+                              "stones of {:g} m take {:.2g} patches on such {}; expected {:g} at most, by "
+                              "larger ones or less of it",
+                              size, patches, what, kMostPatches));
   };
   check("/garden/gravel", garden.gravel, path + square_metres(garden, GroundArea::Kind::gravel), "a path");
   check("/garden/clods", garden.clods, square_metres(garden, GroundArea::Kind::earth), "earth");

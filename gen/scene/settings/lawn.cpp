@@ -1,7 +1,5 @@
 #include "settings/lawn.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -44,7 +42,7 @@ struct Paving {
     if (!map || map->empty()) return false;
     double least = 1, most = 0;
     for (int i = 0; i < 25; ++i) {
-      Vec2 aside(static_cast<float>(i % 5 - 2), static_cast<float>(i / 5 - 2));
+      Vec2 aside(i % 5 - 2, i / 5 - 2);
       double here = map->on_land(at + aside * static_cast<float>(side / 4), kLawnSown);
       least = std::min(least, here), most = std::max(most, here);
     }
@@ -64,12 +62,12 @@ struct Paving {
     }
     if (away > 0 || (map && own.child(8).unit() >= map->on_land(at, kLawnSown))) return;
     double step = side / 2;
-    Vec2 slope(static_cast<float>((heights(at.x + step, at.y) - heights(at.x - step, at.y)) / side),
-               static_cast<float>((heights(at.x, at.y + step) - heights(at.x, at.y - step)) / side));
+    Vec2 slope((heights(at.x + step, at.y) - heights(at.x - step, at.y)) / side,
+               (heights(at.x, at.y + step) - heights(at.x, at.y - step)) / side);
     int shape = kTurfShapes * (mixtures * halved + (mixture_at ? mixture_at(at, own) : 0)) +
                 static_cast<int>(own.child(0).bits() % kTurfShapes);
     double turn = kPi / 2 * static_cast<double>(own.child(1).bits() % 4);
-    into.push_back({shape, Vec3(at.x, static_cast<float>(heights(at.x, at.y)), at.y), turn, slope});
+    into.push_back({shape, Vec3(at.x, heights(at.x, at.y), at.y), turn, slope});
   }
 };
 
@@ -167,17 +165,15 @@ Errors check_grass(const LawnShape& meadow) {
   double side = kPatchBlades * meadow.blade, patches = kPi * std::pow(meadow.extent / side, 2);
   double blades = kTurfShapes * meadow.blades * std::pow(kBlended * side, 2);
   if (patches > kMostPatches)
-    list.push_back(
-        {"/meadow/blade",
-         fmt::format("grass of {:g} m takes {:.2g} patches as far as {:g} m; expected {:g} at most, "
-                     "by longer blades or a smaller extent",
-                     meadow.blade, patches, meadow.extent, kMostPatches)});
+    list.push_back(error_at("/meadow/blade",
+                            "grass of {:g} m takes {:.2g} patches as far as {:g} m; expected {:g} at most, "
+                            "by longer blades or a smaller extent",
+                            meadow.blade, patches, meadow.extent, kMostPatches));
   if (blades > kMostBlades)
-    list.push_back(
-        {"/meadow/blades",
-         fmt::format("patches of grass of {:g} m would hold {:.2g} blades; expected {:g} at most, by "
-                     "fewer or shorter ones",
-                     meadow.blade, blades, kMostBlades)});
+    list.push_back(error_at("/meadow/blades",
+                            "patches of grass of {:g} m would hold {:.2g} blades; expected {:g} at most, by "
+                            "fewer or shorter ones",
+                            meadow.blade, blades, kMostBlades));
   return list;
 }
 
@@ -241,7 +237,7 @@ void Lawn::sow(Seed seed) {
   // Kinds gather in wide spots, with ragged rims: by eye.
   constexpr float kSpotPatches = 6;                     // patches from spot to spot
   constexpr double kRagged = 0.35, kMiddleSpots = 0.2;  // of values from -1 to 1
-  Vec3 shift(static_cast<float>(seed.child("gathering").range(0, 1000)), 0, 0);
+  Vec3 shift(seed.child("gathering").range(0, 1000), 0, 0);
   auto mixture_at = [&](Vec2 at, const Seed& own) {
     if (own.child(6).unit() < shape_.bare) return kTurfMixtures - 1;
     double spot = fractal_noise(Vec3(at.x, 0, at.y) / (kSpotPatches * static_cast<float>(side)) + shift, 2) +

@@ -8,15 +8,13 @@
 namespace frond {
 
 void describe(Properties& v, MountainShape& m) {
-  v.number("height", m.height, {.min = 50, .max = 6000, .unit = "m"}, "Height of its top above the plain");
-  v.number("distance", m.distance, {.min = 1500, .max = 40000, .unit = "m"},
-           "Distance from the middle to its crest");
-  v.number("width", m.width, {.min = 500, .max = 60000, .unit = "m"}, "Distance from one end to the other");
+  v.number("height", m.height, metres(50, 6000), "Height of its top above the plain");
+  v.number("distance", m.distance, metres(1500, 40000), "Distance from the middle to its crest");
+  v.number("width", m.width, metres(500, 60000), "Distance from one end to the other");
   v.number("toward", m.toward, {.min = -360, .max = 360, .unit = "degrees"},
            "Direction in which it stands: 0 toward +z, 90 toward +x, 180 toward -z");
-  v.number("snow", m.snow, {.min = 0, .max = 100000, .unit = "m"},
-           "Height above the plain from which snow lies");
-  v.number("woods", m.woods, {.min = 0, .max = 1}, "Share of its height that woods climb");
+  v.number("snow", m.snow, metres(0, 100000), "Height above the plain from which snow lies");
+  v.number("woods", m.woods, kShare, "Share of its height that woods climb");
   v.color("rock", m.rock, "Colour of the bare rock");
   v.integer("seed", m.seed, {.min = 0, .max = 1000000}, "Which of many mountains it is");
 }
@@ -50,21 +48,19 @@ void describe(Properties& v, Meadow& m) {
   v.color("grass", m.grass, "Colour of the grass");
   v.direction("sun", m.sun, "Direction toward the sun, where no hour is given");
   v.direction("moon", m.moon, "Direction toward the moon, which casts the shadows of nights");
-  v.number("haze", m.haze, {.min = 1, .max = 100000, .unit = "m"},
+  v.number("haze", m.haze, metres(1, 100000),
            "Distance at which two thirds of a colour are lost in the haze");
-  v.number("clouds", m.clouds, {.min = 0, .max = 1}, "Share of the sky that clouds cover");
+  v.number("clouds", m.clouds, kShare, "Share of the sky that clouds cover");
   v.object("mountain", m.mountain, "A mountain far off; without it there is none");
-  v.number("blade", m.lawn.blade, {.min = 0, .max = 5, .unit = "m"},
-           "Length of the blades of grass; 0 leaves a bare lawn");
+  v.number("blade", m.lawn.blade, metres(0, 5), "Length of the blades of grass; 0 leaves a bare lawn");
   v.number("blades", m.lawn.blades, {.min = 0, .max = 20000, .unit = "1/m2"},
            "Number of blades on a square metre");
-  v.number("extent", m.lawn.extent, {.min = 0.1, .max = 200, .unit = "m"},
+  v.number("extent", m.lawn.extent, metres(0.1, 200),
            "Distance from the middle within which single blades stand");
   v.number("flowers", m.lawn.flowers, {.min = 0, .max = 0.2}, "Share of the blades that bear a flower");
   v.list("plants", m.lawn.plants, {.min = 1, .max = 16},
          "What grows there; the shares of the kinds make the mixture");
-  v.number("bare", m.lawn.bare, {.min = 0, .max = 1},
-           "Share of the patches, five blades wide, with a spot of bare earth");
+  v.number("bare", m.lawn.bare, kShare, "Share of the patches, five blades wide, with a spot of bare earth");
   v.object("grass_map", m.lawn.map,
            "A picture that scales the grass over the land, with bare earth where there is none; a bare file "
            "name will do");

@@ -3,10 +3,8 @@
 #include <any>
 #include <functional>
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
-#include <typeinfo>
 #include <vector>
 
 #include "core/result.h"

@@ -12,8 +12,7 @@ namespace frond {
 
 void describe(Properties& v, Studio& s) {
   v.color("wall", s.wall, "Colour of the wall and the floor");
-  v.number("distance", s.distance, {.min = 0.01, .max = 1000, .unit = "m"},
-           "Distance from the middle back to the wall");
+  v.number("distance", s.distance, metres(0.01, 1000), "Distance from the middle back to the wall");
   v.direction("key", s.key, "Direction toward the main light");
   v.number("softness", s.softness, {.min = 0, .max = 3}, "How soft the shadows are; 0 is hard");
 }

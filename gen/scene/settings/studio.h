@@ -1,7 +1,5 @@
 #pragma once
 
-#include "settings/setting.h"
-
 namespace frond {
 
 /// Clear light indoors.

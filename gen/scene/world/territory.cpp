@@ -1,7 +1,6 @@
 #include "world/territory.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace frond {
 

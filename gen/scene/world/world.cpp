@@ -34,9 +34,8 @@ World::HostOrNot World::build_host(const std::vector<std::string>& names) const 
   for (const Specimen& s : standing_)
     if (names.empty() || std::ranges::find(names, s.name) != names.end()) append(all, skin_of(s.model));
   if (all.triangle.empty())
-    return Error{
-        "", fmt::format("nothing stands here{} to grow on; expected a body such as a wall, a rock or a mesh",
-                        names.empty() ? "" : fmt::format(" of \"{}\"", fmt::join(names, "\", \"")))};
+    return error_at("", "nothing stands here{} to grow on; expected a body such as a wall, a rock or a mesh",
+                    names.empty() ? "" : fmt::format(" of \"{}\"", fmt::join(names, "\", \"")));
   Result<TriangleSurface> host = TriangleSurface::build(all, "");
   if (!host) return host.errors();
   return std::make_shared<const TriangleSurface>(std::move(*host));

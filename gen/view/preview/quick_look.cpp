@@ -71,11 +71,7 @@ std::uint32_t packed(Vec3 c) {
   return part(c.x) << 16 | part(c.y) << 8 | part(c.z);
 }
 
-Vec3 unpacked(std::uint32_t c) {
-  return Vec3(static_cast<float>(c >> 16 & 255), static_cast<float>(c >> 8 & 255),
-              static_cast<float>(c & 255)) /
-         255.0f;
-}
+Vec3 unpacked(std::uint32_t c) { return Vec3(c >> 16 & 255, c >> 8 & 255, c & 255) / 255.0f; }
 
 /// What the camera sees.
 struct ToPicture {

@@ -33,8 +33,8 @@ void add_timber(Solids& solids, const BridgeParams& params, BridgePiece piece, S
   constexpr double kWeatherVaries = 0.25;                      // to either side of the weathering
   double away = seed.child("pith").range(kNearestPith, kFarthestPith),
          around = seed.child("side").range(0, 2 * kPi);
-  Vec3 shift(static_cast<float>(seed.child("along").range(-kAlongTrunk, kAlongTrunk)),
-             static_cast<float>(away * std::sin(around)), static_cast<float>(away * std::cos(around)));
+  Vec3 shift(seed.child("along").range(-kAlongTrunk, kAlongTrunk), away * std::sin(around),
+             away * std::cos(around));
   for (Vec3& p : piece.surface.position) p += shift;
   Material material{
       Matter::timber,
@@ -101,36 +101,32 @@ inline constexpr Choice<BridgeStyle> kBridgeStyles[] = {
 void describe(Properties& v, BridgeParams& b) {
   BridgeShape& s = b.shape;
   v.choice("style", s.style, kBridgeStyles, "What it is built of");
-  v.number("length", s.length, {.min = 1, .max = 60, .unit = "m"}, "Length from foot to foot");
-  v.number("width", s.width, {.min = 0.6, .max = 12, .unit = "m"}, "Width of the deck, over all");
-  v.number("height", s.height, {.min = 0.05, .max = 20, .unit = "m"},
-           "Height of the deck at mid-span above its feet");
+  v.number("length", s.length, metres(1, 60), "Length from foot to foot");
+  v.number("width", s.width, metres(0.6, 12), "Width of the deck, over all");
+  v.number("height", s.height, metres(0.05, 20), "Height of the deck at mid-span above its feet");
   v.number("crown", s.crown, {.min = 0, .max = 0.5},
            "Where the middle control point of each half of the arch lies, as a share of the length: 0.1 "
            "nearly pointed, 0.5 upright at its feet; 0 is at random between the two");
-  v.number("thickness", s.thickness, {.min = 0.05, .max = 5, .unit = "m"},
+  v.number("thickness", s.thickness, metres(0.05, 5),
            "Thickness of the deck at mid-span; held to what the bend of the arch allows");
   v.integer("posts", s.posts, {.min = 1, .max = 60}, "Number of posts of each railing on each half");
-  v.number("post", s.post, {.min = 0.02, .max = 1.5, .unit = "m"}, "Width of a post");
-  v.number("rail_height", s.rail_height, {.min = 0.15, .max = 3, .unit = "m"},
-           "Height of the hand rail above the deck");
-  v.number("rail", s.rail, {.min = 0.02, .max = 0.6, .unit = "m"}, "Width of the hand rail");
-  v.number("lower_rail", s.lower_rail, {.min = 0, .max = 2, .unit = "m"},
+  v.number("post", s.post, metres(0.02, 1.5), "Width of a post");
+  v.number("rail_height", s.rail_height, metres(0.15, 3), "Height of the hand rail above the deck");
+  v.number("rail", s.rail, metres(0.02, 0.6), "Width of the hand rail");
+  v.number("lower_rail", s.lower_rail, metres(0, 2),
            "Height of the lower rail above the deck; 0 leaves it out. Needs \"style\": \"wood\"");
   v.integer("balusters", s.balusters, {.min = 0, .max = 30},
             "Number of thin bars between each two posts. Needs \"style\": \"wood\"");
-  v.number("plank", s.plank, {.min = 0.04, .max = 1, .unit = "m"},
-           "Width of a plank, or length of a paving stone");
-  v.number("gap", s.gap, {.min = 0.001, .max = 0.1, .unit = "m"}, "Gap between planks or stones");
-  v.number("foundation", s.foundation, {.min = 0, .max = 10, .unit = "m"},
-           "How deep it reaches below its feet");
+  v.number("plank", s.plank, metres(0.04, 1), "Width of a plank, or length of a paving stone");
+  v.number("gap", s.gap, metres(0.001, 0.1), "Gap between planks or stones");
+  v.number("foundation", s.foundation, metres(0, 10), "How deep it reaches below its feet");
   v.color("color", b.color, "Colour of the wood or the stone; without it that of the style");
   v.color("second", b.second, "Colour of weathered wood, or of the mortar");
   v.number("variation", b.variation, {.min = 0, .max = 0.9},
            "How much planks or stones differ in brightness, as a share");
-  v.number("weathering", b.weathering, {.min = 0, .max = 1}, "How weathered it is: 0 new, 1 old");
-  v.number("moss", b.moss, {.min = 0, .max = 1}, "How much moss grows on it");
-  v.number("gloss", b.gloss, {.min = 0, .max = 1}, "How glossy the wood is: 0 raw, 1 oiled");
+  v.number("weathering", b.weathering, kShare, "How weathered it is: 0 new, 1 old");
+  v.number("moss", b.moss, kShare, "How much moss grows on it");
+  v.number("gloss", b.gloss, kShare, "How glossy the wood is: 0 raw, 1 oiled");
   v.aspect(Aspect::look, "color", "second", "variation", "weathering", "moss", "gloss");
 }
 

@@ -17,12 +17,10 @@ inline constexpr Choice<EnvelopeKind> kEnvelopeKinds[] = {
 
 void describe(Properties& v, EnvelopeParams& e) {
   v.choice("shape", e.kind, kEnvelopeKinds, "Shape of the room that the crown fills");
-  v.number("base", e.base, {.min = 0, .max = 500, .unit = "m"},
-           "Height of the crown's foot above the ground");
-  v.number("height", e.height, {.min = 0.01, .max = 500, .unit = "m"}, "Height of the crown alone");
-  v.number("width", e.width, {.min = 0.01, .max = 500, .unit = "m"},
-           "Width of a ball, cone or cylinder; an outline has its own");
-  v.number("depth", e.depth, {.min = 0, .max = 500, .unit = "m"},
+  v.number("base", e.base, metres(0, 500), "Height of the crown's foot above the ground");
+  v.number("height", e.height, metres(0.01, 500), "Height of the crown alone");
+  v.number("width", e.width, metres(0.01, 500), "Width of a ball, cone or cylinder; an outline has its own");
+  v.number("depth", e.depth, metres(0, 500),
            "Depth from front to back; 0 makes it as deep as wide and turns an outline about its middle");
   v.number("top", e.top, {.min = 0, .max = 10},
            "Width of a cone's top as a share of its foot. Needs \"shape\": \"cone\"");
@@ -37,13 +35,12 @@ void describe(Properties& v, EnvelopeParams& e) {
 void describe(Properties& v, Colonization& c) {
   v.integer("attractors", c.attractors, {.min = 1, .max = 2e6},
             "Number of points in the room that branches grow toward");
-  v.number("influence", c.influence, {.min = 0.001, .max = 1000, .unit = "m"},
-           "Distance from which a point attracts branches");
-  v.number("kill", c.kill, {.min = 0.001, .max = 1000, .unit = "m"},
+  v.number("influence", c.influence, metres(0.001, 1000), "Distance from which a point attracts branches");
+  v.number("kill", c.kill, metres(0.001, 1000),
            "Distance at which a branch has reached a point, which is gone then");
-  v.number("step", c.step, {.min = 0.001, .max = 100, .unit = "m"}, "Length of a segment");
+  v.number("step", c.step, metres(0.001, 100), "Length of a segment");
   v.number("tropism", c.tropism, {.min = -2, .max = 2}, "Upward pull on branches; negative pulls them down");
-  v.number("jitter", c.jitter, {.min = 0, .max = 1}, "Random part of each direction");
+  v.number("jitter", c.jitter, kShare, "Random part of each direction");
   v.number("crowding", c.crowding, {.min = -1, .max = 1},
            "Where points are denser: -1 inside, 0 evenly, 1 at the rim");
   v.integer("most_nodes", c.most_nodes, {.min = 10, .max = 4e6},
@@ -60,10 +57,9 @@ void describe(Properties& v, ColonizedParams& p) {
   v.integer("smoothing", p.smoothing, {.min = 1, .max = 16},
             "Number of nodes that each segment is rounded with");
   describe(v, p.along);
-  v.number("leaf_reach", p.leaf_reach, {.min = 0, .max = 100, .unit = "m"},
+  v.number("leaf_reach", p.leaf_reach, metres(0, 100),
            "Distance from a tip within which leaves stand; 0 leaves it bare");
-  v.number("leaf_spacing", p.leaf_spacing, {.min = 0.001, .max = 100, .unit = "m"},
-           "Distance along a branch from leaf to leaf");
+  v.number("leaf_spacing", p.leaf_spacing, metres(0.001, 100), "Distance along a branch from leaf to leaf");
   v.angle("leaf_down", p.leaf_down, {.min = 0, .max = 180}, "Angle between a branch and its leaves");
   describe(v, p.appearance);
 }

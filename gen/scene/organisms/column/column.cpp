@@ -18,19 +18,18 @@ Model build_column_model(const ColumnParams& params) {
 
 void describe(Properties& v, ColumnParams& c) {
   ColumnShape& s = c.shape;
-  v.number("height", s.height, {.min = 0.2, .max = 30, .unit = "m"}, "Height with base and capital");
-  v.number("radius", s.radius, {.min = 0.02, .max = 3, .unit = "m"}, "Radius of the shaft at its foot");
+  v.number("height", s.height, metres(0.2, 30), "Height with base and capital");
+  v.number("radius", s.radius, metres(0.02, 3), "Radius of the shaft at its foot");
   v.number("taper", s.taper, {.min = 0.4, .max = 1},
            "Radius at the top of the shaft, as a share of that at its foot");
   v.number("entasis", s.entasis, {.min = 0, .max = 0.2},
            "How much the shaft swells in the middle, as a share of the radius");
   v.integer("flutes", s.flutes, {.min = 0, .max = 48},
             "Number of hollows round the shaft; 0 leaves it plain");
-  v.number("flute_depth", s.flute_depth, {.min = 0, .max = 1},
-           "Depth of a flute, as a share of a half circle");
+  v.number("flute_depth", s.flute_depth, kShare, "Depth of a flute, as a share of a half circle");
   v.number("broken", s.broken, {.min = 0, .max = 0.95}, "Share of its height that has broken off");
   v.color("stone", c.stone, "Colour of the limestone");
-  v.number("weathering", c.weathering, {.min = 0, .max = 1}, "How much soot, damp and moss there is");
+  v.number("weathering", c.weathering, kShare, "How much soot, damp and moss there is");
   v.aspect(Aspect::look, "stone", "weathering");
 }
 

@@ -32,19 +32,18 @@ Result<Model> grow_columnar(const ColumnarParams& params, const Surroundings& ar
 }  // namespace
 
 void describe(Properties& v, Accretion& a) {
-  v.number("across", a.across, {.min = 0.01, .max = 5, .unit = "m"},
-           "How far it comes to each side of its foot");
-  v.number("up", a.up, {.min = 0.01, .max = 5, .unit = "m"}, "How high it comes");
+  v.number("across", a.across, metres(0.01, 5), "How far it comes to each side of its foot");
+  v.number("up", a.up, metres(0.01, 5), "How high it comes");
   v.integer("layers", a.layers, {.min = 8, .max = 1000}, "Layers of skeleton, one on another");
-  v.number("edge", a.edge, {.min = 0.001, .max = 0.5, .unit = "m"}, "Length of the sides of its triangles");
-  v.number("light", a.light, {.min = 0, .max = 1},
+  v.number("edge", a.edge, metres(0.001, 0.5), "Length of the sides of its triangles");
+  v.number("light", a.light, kShare,
            "Share of the growth that light from above drives; the rest comes with the water from all sides");
   v.number("hunger", a.hunger, {.min = 0, .max = 8},
            "How much faster what stands out grows than what lies back: 0 a dome, 2 knobs, 4 fingers");
   v.number("upward", a.upward, {.min = -1, .max = 1}, "Whether it spreads (-1) or rises (1)");
-  v.number("lumps", a.lumps, {.min = 0, .max = 1}, "How uneven polyps are from the start");
-  v.number("lump_size", a.lump_size, {.min = 0.002, .max = 5, .unit = "m"}, "Distance from lump to lump");
-  v.number("smoothing", a.smoothing, {.min = 0, .max = 1}, "How far polyps even out what lies between them");
+  v.number("lumps", a.lumps, kShare, "How uneven polyps are from the start");
+  v.number("lump_size", a.lump_size, metres(0.002, 5), "Distance from lump to lump");
+  v.number("smoothing", a.smoothing, kShare, "How far polyps even out what lies between them");
 }
 
 void describe(Properties& v, ColumnarParams& c) {

@@ -52,9 +52,7 @@ void scale_to_height(Skeleton& s, double height) {
 /// C8: the noise counts more the farther along the branch, so that the foot stays planted.
 void distort(Skeleton& s, const Distortion& distortion, Seed seed) {
   if (distortion.strength <= 0) return;
-  Vec3 shift(static_cast<float>(seed.child("x").range(-99, 99)),
-             static_cast<float>(seed.child("y").range(-99, 99)),
-             static_cast<float>(seed.child("z").range(-99, 99)));
+  Vec3 shift(seed.child("x").range(-99, 99), seed.child("y").range(-99, 99), seed.child("z").range(-99, 99));
   float longest = std::max(s.longest(), 1e-6f), frequency = static_cast<float>(1 / distortion.scale);
   for (std::size_t i = 0; i < s.size(); ++i) {
     float share = s.distance[i] / longest;

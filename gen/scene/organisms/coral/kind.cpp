@@ -24,7 +24,7 @@ void describe(Properties& v, Thickness& t) {
 }
 
 void describe(Properties& v, Distortion& d) {
-  v.number("strength", d.strength, {.min = 0, .max = 10, .unit = "m"}, "How far noise bends the tips");
+  v.number("strength", d.strength, metres(0, 10), "How far noise bends the tips");
   v.number("scale", d.scale, {.min = 0, .max = 100, .above_min = true, .unit = "m"},
            "Distance from one bend to the next");
 }
@@ -41,13 +41,13 @@ void describe(Properties& v, CoralParams& c) {
   v.angle("angle_jitter", c.angle_jitter, {.min = 0, .max = 90}, "Random change of each turn, either way");
   v.number("length_jitter", c.length_jitter, {.min = 0, .max = 0.95},
            "Random change of each internode, as a share of it");
-  v.number("internode", c.internode, {.min = 0.0001, .max = 100, .unit = "m"}, "Length that one F draws");
+  v.number("internode", c.internode, metres(0.0001, 100), "Length that one F draws");
   v.number("length_scale", c.length_scale, {.min = 0.2, .max = 3}, "Factor by which \" multiplies lengths");
   v.number("width_scale", c.width_scale, {.min = 0.2, .max = 2},
            "Factor by which ! multiplies the thickness");
   v.number("lift", c.lift, {.min = -1, .max = 1},
            "How much each internode turns upward; negative turns it down");
-  v.number("height", c.height, {.min = 0, .max = 1000, .unit = "m"},
+  v.number("height", c.height, metres(0, 1000),
            "Height that the whole is scaled to; 0 leaves it as it grows");
   v.integer("smoothing", c.smoothing, {.min = 1, .max = 16},
             "Number of nodes that each internode is rounded with");

@@ -33,7 +33,7 @@ Result<Model> grow_encrusting(const EncrustingParams& params, const Surroundings
     world.cling(p, normal);
   }
   Sheet sheet = grow_margins(law, {start}, world, seed.child("sheet"));
-  Vec3 lot(static_cast<float>(seed.child("lumps").range(-99, 99)), 0, 0);
+  Vec3 lot(seed.child("lumps").range(-99, 99), 0, 0);
   auto thick = static_cast<float>(params.thickness), raised = static_cast<float>(params.rim);
   auto lumps = static_cast<float>(params.lumps), often = static_cast<float>(kLumpsALobe / params.lobe_size);
   SheetSkin skin;
@@ -50,14 +50,14 @@ Result<Model> grow_encrusting(const EncrustingParams& params, const Surroundings
 }
 
 void describe(Properties& v, EncrustingParams& p) {
-  v.number("across", p.across, {.min = 0.01, .max = 5, .unit = "m"}, "How wide it comes to be");
-  v.number("height", p.height, {.min = 0.005, .max = 5, .unit = "m"}, "How high it comes to be");
-  v.number("lobes", p.lobes, {.min = 0, .max = 1}, "How uneven its outline is");
-  v.number("lobe_size", p.lobe_size, {.min = 0.005, .max = 2, .unit = "m"}, "Distance from lobe to lobe");
-  v.number("thickness", p.thickness, {.min = 0.0005, .max = 0.2, .unit = "m"}, "Thickness of the crust");
-  v.number("rim", p.rim, {.min = 0, .max = 0.2, .unit = "m"}, "How much its edge is raised");
-  v.number("lumps", p.lumps, {.min = 0, .max = 1}, "How uneven its upper side is");
-  v.number("edge", p.edge, {.min = 0.0005, .max = 0.2, .unit = "m"}, "Length of the sides of its triangles");
+  v.number("across", p.across, metres(0.01, 5), "How wide it comes to be");
+  v.number("height", p.height, metres(0.005, 5), "How high it comes to be");
+  v.number("lobes", p.lobes, kShare, "How uneven its outline is");
+  v.number("lobe_size", p.lobe_size, metres(0.005, 2), "Distance from lobe to lobe");
+  v.number("thickness", p.thickness, metres(0.0005, 0.2), "Thickness of the crust");
+  v.number("rim", p.rim, metres(0, 0.2), "How much its edge is raised");
+  v.number("lumps", p.lumps, kShare, "How uneven its upper side is");
+  v.number("edge", p.edge, metres(0.0005, 0.2), "Length of the sides of its triangles");
   v.object("tissue", p.tissue, "The living skin");
   v.object("growth", p.growth, "When it grows in the film");
 }

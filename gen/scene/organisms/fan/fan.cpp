@@ -46,7 +46,7 @@ FanNet weave(const FanParams& params, Seed seed) {
   constexpr double kShake = 0.42;                               // of the mesh
   FanNet net;
   auto mesh = static_cast<float>(params.mesh), step = mesh * kRowHeight;
-  Vec3 lot(static_cast<float>(seed.child("outline").range(-99, 99)), 0, 0);
+  Vec3 lot(seed.child("outline").range(-99, 99), 0, 0);
   int wide = static_cast<int>(kOutlineWidth * params.across / params.mesh) + 2;
   int rows = static_cast<int>(kOutlineHeight * params.height / step) + 2, count = 2 * wide + 1;
   std::vector<std::uint32_t> number(static_cast<std::size_t>(rows * count), kNoPlace);
@@ -58,9 +58,7 @@ FanNet weave(const FanParams& params, Seed seed) {
              static_cast<float>(j) * step);
       if (!is_in_outline(params, p, lot)) continue;
       Seed own = shake.child(static_cast<std::uint64_t>(j * count + i));
-      p += Vec2(static_cast<float>(own.child(0).range(-kShake, kShake)),
-                static_cast<float>(own.child(1).range(-kShake, kShake))) *
-           mesh;
+      p += Vec2(own.child(0).range(-kShake, kShake), own.child(1).range(-kShake, kShake)) * mesh;
       if (float d = glm::length(p); d < best)
         best = d, net.foot = static_cast<std::uint32_t>(net.place.size());
       number[static_cast<std::size_t>(j * count + i)] = static_cast<std::uint32_t>(net.place.size());
@@ -172,7 +170,7 @@ Skeleton grow_fan(const FanParams& params, Seed seed) {
   auto radius_of = [&](float flow) {
     return std::max(thin, foot * std::pow(flow / most, static_cast<float>(1 / params.gather)));
   };
-  Vec3 lot(static_cast<float>(seed.child("curl").range(-99, 99)), 0, 0);
+  Vec3 lot(seed.child("curl").range(-99, 99), 0, 0);
   auto high = static_cast<float>(params.height);
   auto place = [&](std::uint32_t v) {
     Vec2 p = net.place[v];

@@ -6,16 +6,16 @@
 namespace frond {
 
 void describe(Properties& v, FanParams& f) {
-  v.number("across", f.across, {.min = 0.03, .max = 5, .unit = "m"}, "How wide it is");
-  v.number("height", f.height, {.min = 0.03, .max = 5, .unit = "m"}, "How high it is");
-  v.number("mesh", f.mesh, {.min = 0.002, .max = 0.5, .unit = "m"}, "About the width of a mesh of its net");
-  v.number("ragged", f.ragged, {.min = 0, .max = 1}, "How uneven its outline is");
-  v.number("links", f.links, {.min = 0, .max = 1}, "Share of the meshes that are closed: 0 a mere tree");
-  v.number("thread", f.thread, {.min = 0.0002, .max = 0.1, .unit = "m"}, "Radius of its thinnest threads");
-  v.number("foot", f.foot, {.min = 0.001, .max = 0.5, .unit = "m"}, "Radius at its foot");
+  v.number("across", f.across, metres(0.03, 5), "How wide it is");
+  v.number("height", f.height, metres(0.03, 5), "How high it is");
+  v.number("mesh", f.mesh, metres(0.002, 0.5), "About the width of a mesh of its net");
+  v.number("ragged", f.ragged, kShare, "How uneven its outline is");
+  v.number("links", f.links, kShare, "Share of the meshes that are closed: 0 a mere tree");
+  v.number("thread", f.thread, metres(0.0002, 0.1), "Radius of its thinnest threads");
+  v.number("foot", f.foot, metres(0.001, 0.5), "Radius at its foot");
   v.number("gather", f.gather, {.min = 1, .max = 8},
            "Where threads meet, this power of their radii adds up: 2 keeps their section");
-  v.number("curl", f.curl, {.min = 0, .max = 2, .unit = "m"}, "How far it bends out of its plane");
+  v.number("curl", f.curl, metres(0, 2), "How far it bends out of its plane");
   v.object("skin", f.skin, "Pores and colours of the skin");
   v.object("wave", f.wave, "Swaying in the current");
   v.object("food", f.food, "What the branches bend toward");

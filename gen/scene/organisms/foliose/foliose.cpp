@@ -74,7 +74,7 @@ std::vector<MarginStart> plates(const FolioseParams& params, Seed seed) {
     double share = (i + kLowestTier) / params.sheets;
     Seed own = seed.child("sheet", static_cast<std::uint64_t>(i));
     turn += kSheetTurn + own.child("turn").range(-0.5, 0.5);
-    Vec3 middle(0, static_cast<float>(kHighestTier * params.height * share), 0);
+    Vec3 middle(0, kHighestTier * params.height * share, 0);
     double radius = params.across * kFootRadius.at(share);
     starts.push_back(ring_start(middle, radius, turn, radians(own.child("arc").range(190, 280)),
                                 radians(kSlope), params.edge));
@@ -98,16 +98,15 @@ SheetBody stalk_body(double foot, double top, double height, Seed seed) {
   constexpr double kStalkUneven = 0.25, kStalkLumps = 1.5;           // of its radius; on that of its foot
   constexpr float kSmallest = 0.04f, kGrows = 0.96f, kGrown = 0.6f;  // of its size, twice; of growth
   SheetBody body;
-  Vec3 lot(static_cast<float>(seed.child("lot").range(-99, 99)), 0, 0);
+  Vec3 lot(seed.child("lot").range(-99, 99), 0, 0);
   std::vector<float> birth;
   for (int j = 0; j <= kRings; ++j)
     for (int i = 0; i < kRound; ++i) {
       double share = static_cast<double>(j) / kRings, angle = 2 * kPi * i / kRound;
       double radius = top + (foot - top) * (1 - share) * (1 - share);
       if (j == kRings) radius *= 0.5;
-      Vec3 out(static_cast<float>(std::cos(angle)), 0, static_cast<float>(std::sin(angle)));
-      Vec3 at = out * static_cast<float>(radius) +
-                Vec3(0, static_cast<float>((height + kStalkSunk) * share - kStalkSunk), 0);
+      Vec3 out(std::cos(angle), 0, std::sin(angle));
+      Vec3 at = out * static_cast<float>(radius) + Vec3(0, (height + kStalkSunk) * share - kStalkSunk, 0);
       at += out * static_cast<float>(kStalkUneven * radius *
                                      fractal_noise(at * static_cast<float>(kStalkLumps / foot) + lot, 3));
       body.surface.position.push_back(at);
@@ -162,17 +161,17 @@ inline constexpr Choice<FolioseForm> kFolioseForms[] = {
 
 void describe(Properties& v, FolioseParams& f) {
   v.choice("form", f.form, kFolioseForms, "How its sheets stand");
-  v.number("across", f.across, {.min = 0.03, .max = 5, .unit = "m"}, "How wide it comes to be");
-  v.number("height", f.height, {.min = 0.02, .max = 5, .unit = "m"}, "How high it comes to be");
+  v.number("across", f.across, metres(0.03, 5), "How wide it comes to be");
+  v.number("height", f.height, metres(0.02, 5), "How high it comes to be");
   v.integer("sheets", f.sheets, {.min = 1, .max = 40}, "Number of sheets");
   v.number("excess", f.excess, {.min = 1, .max = 20},
            "How many times longer the rim comes to be than that of a flat sheet: 1 flat, 3 much ruffled");
-  v.number("ruffle", f.ruffle, {.min = 0.005, .max = 5, .unit = "m"}, "About the distance from fold to fold");
-  v.number("lobes", f.lobes, {.min = 0, .max = 1}, "How uneven its outline is");
-  v.number("thickness", f.thickness, {.min = 0.0005, .max = 0.5, .unit = "m"}, "Thickness where it is old");
-  v.number("rim", f.rim, {.min = 0.0005, .max = 0.5, .unit = "m"}, "Thickness at its rim");
-  v.number("lines", f.lines, {.min = 0, .max = 0.05, .unit = "m"}, "Height of its growth lines");
-  v.number("edge", f.edge, {.min = 0.001, .max = 0.2, .unit = "m"}, "Length of the sides of its triangles");
+  v.number("ruffle", f.ruffle, metres(0.005, 5), "About the distance from fold to fold");
+  v.number("lobes", f.lobes, kShare, "How uneven its outline is");
+  v.number("thickness", f.thickness, metres(0.0005, 0.5), "Thickness where it is old");
+  v.number("rim", f.rim, metres(0.0005, 0.5), "Thickness at its rim");
+  v.number("lines", f.lines, metres(0, 0.05), "Height of its growth lines");
+  v.number("edge", f.edge, metres(0.001, 0.2), "Length of the sides of its triangles");
   v.object("tissue", f.tissue, "The living skin");
   v.object("growth", f.growth, "When it grows in the film");
 }

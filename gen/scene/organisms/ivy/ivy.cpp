@@ -97,10 +97,10 @@ Error rootless(const Crawl& crawl, const TriangleSurface& host) {
   DVec3 low = host.low(), high = host.high();
   auto corner = [](const DVec3& at) { return fmt::format("[{:.3g}, {:.3g}, {:.3g}]", at.x, at.y, at.z); };
   if (glm::any(glm::greaterThan(DVec3(crawl.low), high)) || glm::any(glm::lessThan(DVec3(crawl.high), low)))
-    return {"/crawl",
-            fmt::format("its box, from low to high, misses what the ivy grows on; expected one that "
-                        "holds some of what lies from {} to {}",
-                        corner(low), corner(high))};
+    return error_at("/crawl",
+                    "its box, from low to high, misses what the ivy grows on; expected one that holds some "
+                    "of what lies from {} to {}",
+                    corner(low), corner(high));
   return {"",
           "finds no place to root; expected place.at near what it grows on, another above and facing, or a "
           "larger box in crawl"};

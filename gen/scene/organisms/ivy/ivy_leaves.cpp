@@ -200,7 +200,7 @@ IvySprig sprig_of(const std::vector<LeafForm>& forms, const IvyLeaves& l, double
   constexpr float kScatter = 0.2f;  // of a normal, to either side
   constexpr float kToLight = 0.9f;  // how much it leans up for IvyLeaves::turn
   constexpr double kFives = 0.6;    // share of leaves with five lobes; the others have three
-  Vec3 along(static_cast<float>(std::sin(heading)), static_cast<float>(std::cos(heading)), 0);
+  Vec3 along(std::sin(heading), std::cos(heading), 0);
   Vec3 across(-along.y, along.x, 0);
   std::vector<MosaicSite> sites;
   for (int i = 0; i < kSprigLeaves; ++i) {

@@ -47,9 +47,8 @@ void describe(Properties& v, CrawlGuide& g) {
       "file", g.file, [&](const NamedFile& file) { return load_curves(file, g.filed); },
       "A Wavefront OBJ file with lines (`l`), each row of them one curve, or a skeleton as SWC, each branch "
       "one, in place of points");
-  v.number("width", g.width, {.min = 0.005, .max = 100, .unit = "m"},
-           "Distance from the curve within which strands keep");
-  v.number("pull", g.pull, {.min = 0, .max = 1},
+  v.number("width", g.width, metres(0.005, 100), "Distance from the curve within which strands keep");
+  v.number("pull", g.pull, kShare,
            "How strongly strands are led along the curve; those that leave its width end there");
 }
 
@@ -60,14 +59,12 @@ void describe_limits(Properties& v, Crawl& c) {
     return own == none ? std::nullopt : std::optional(own);
   };
   auto longest = limit(c.max_length, open.max_length);
-  v.number("max_length", longest, {.min = 0.001, .max = 1e6, .unit = "m"},
+  v.number("max_length", longest, metres(0.001, 1e6),
            "Length of one strand at most; without it there is no limit");
   if (longest) c.max_length = *longest;
   auto low = limit(c.low, open.low), high = limit(c.high, open.high);
-  v.vector("low", low, {.min = -1e6, .max = 1e6, .unit = "m"},
-           "Low corner x, y, z of a box that strands do not leave");
-  v.vector("high", high, {.min = -1e6, .max = 1e6, .unit = "m"},
-           "High corner x, y, z of the box that strands do not leave");
+  v.vector("low", low, metres(-1e6, 1e6), "Low corner x, y, z of a box that strands do not leave");
+  v.vector("high", high, metres(-1e6, 1e6), "High corner x, y, z of the box that strands do not leave");
   if (low) c.low = *low;
   if (high) c.high = *high;
 }
@@ -76,23 +73,21 @@ void describe(Properties& v, CrawlMask& m) {
   v.file(
       "file", m.picture.file, [&](const NamedFile& file) { return load_mask(file, m.picture); },
       "A picture (PNG, JPEG or WebP), laid on by the texture coordinates of a mesh (`vt`) or over the face "
-      "of a wall unless "
-      "along is given; its brightness counts. Without it, the grey of a mesh's vertex colours (`v x y z r g "
-      "b`)");
+      "of a wall unless along is given; its brightness counts. Without it, the grey of a mesh's vertex "
+      "colours (`v x y z r g b`)");
   describe_projection(v, m.picture);
   v.list("scales", m.scales, Count{0, 3},
          "What it scales, from nothing in black to all in white: bias, spacing, leaves");
-  v.number("stops", m.stops, {.min = 0, .max = 1},
+  v.number("stops", m.stops, kShare,
            "Strands neither begin nor go where the grey is below this; 0 stops none");
 }
 
 void describe(Properties& v, Crawl& c) {
-  v.number("speed", c.speed, {.min = 0.0005, .max = 1, .unit = "m"}, "Length of one step of a strand");
+  v.number("speed", c.speed, metres(0.0005, 1), "Length of one step of a strand");
   v.angle("wander", c.wander, {.min = 0, .max = 120}, "Angle by which each step turns at random, either way");
   v.animated(
-      "bias", c.bias, {.min = 0, .max = 1},
-      "How much of the way to the lure each step turns; times of keyframes are shares of the growth, 0 "
-      "to 1");
+      "bias", c.bias, kShare,
+      "How much of the way to the lure each step turns; times of keyframes are shares of the growth, 0 to 1");
   v.choice("lure", c.lure, kLures, "What strands turn toward");
   v.animated(
       "toward", c.toward, {.min = -1000, .max = 1000},
@@ -105,15 +100,13 @@ void describe(Properties& v, Crawl& c) {
   v.boolean("trace", c.trace,
             "Whether strands stay where they creep; if not, bodies creep there, as walkers says, and leave "
             "nothing");
-  v.number("branch_every", c.branch_every, {.min = 0.001, .max = 1000, .unit = "m"},
+  v.number("branch_every", c.branch_every, metres(0.001, 1000),
            "Distance along a strand from one branch to the next");
-  v.number("branch_jitter", c.branch_jitter, {.min = 0, .max = 1},
-           "Random change of that distance, as a share of it");
+  v.number("branch_jitter", c.branch_jitter, kShare, "Random change of that distance, as a share of it");
   v.angle("branch_angle", c.branch_angle, {.min = 5, .max = 150}, "Angle between a branch and its strand");
   v.integer("branch_depth", c.branch_depth, {.min = 0, .max = 16},
             "How many times over branches branch again; 0 leaves single strands");
-  v.number("radius", c.radius, {.min = 0.0001, .max = 1, .unit = "m"},
-           "Radius of a grown strand that carries nothing but itself");
+  v.number("radius", c.radius, metres(0.0001, 1), "Radius of a grown strand that carries nothing but itself");
   v.number("ripening", c.ripening, {.min = 0.0001, .max = 1},
            "Share of the final radius that each step adds");
   v.number("pipe", c.pipe, {.min = 0, .max = 5},
@@ -123,32 +116,27 @@ void describe(Properties& v, Crawl& c) {
            "Radius of an old stem at most, as a multiple of a strand's");
   v.integer("max_age", c.max_age, {.min = 1, .max = 100000}, "Number of steps of the whole growth");
   describe_limits(v, c);
-  v.number("spacing", c.spacing, {.min = 0, .max = 10, .unit = "m"},
-           "Distance that strands keep from each other");
+  v.number("spacing", c.spacing, metres(0, 10), "Distance that strands keep from each other");
   v.integer("patience", c.patience, {.min = 1, .max = 1000},
             "Number of steps without room after which a strand stops");
-  v.number("let_go", c.let_go, {.min = 0, .max = 1},
-           "Chance that a strand loses its hold at an edge or overhang");
-  v.number("hang_most", c.hang_most, {.min = 0, .max = 50, .unit = "m"},
-           "Length to which a strand hangs at most");
-  v.number("stiffness", c.stiffness, {.min = 0.001, .max = 10, .unit = "m"},
+  v.number("let_go", c.let_go, kShare, "Chance that a strand loses its hold at an edge or overhang");
+  v.number("hang_most", c.hang_most, metres(0, 50), "Length to which a strand hangs at most");
+  v.number("stiffness", c.stiffness, metres(0.001, 10),
            "Length over which a strand stands out freely before it bends down");
 }
 
 void describe(Properties& v, IvyLeaves& l) {
-  v.number("size", l.size, {.min = 0.001, .max = 2, .unit = "m"}, "Length of a grown leaf's blade");
+  v.number("size", l.size, metres(0.001, 2), "Length of a grown leaf's blade");
   v.number("size_variation", l.size_variation, {.min = 0, .max = 0.9},
            "Random change of the size, as a share of it");
-  v.number("spacing", l.spacing, {.min = 0.002, .max = 10, .unit = "m"},
-           "Distance along a strand from leaf to leaf");
-  v.number("bare", l.bare, {.min = 0, .max = 100, .unit = "m"}, "Length above the root that bears no leaves");
+  v.number("spacing", l.spacing, metres(0.002, 10), "Distance along a strand from leaf to leaf");
+  v.number("bare", l.bare, metres(0, 100), "Length above the root that bears no leaves");
   v.number("overlap", l.overlap, {.min = 0, .max = 20},
            "Share of a leaf that others may cover; a leaf that finds no such place does not grow");
   v.direction("light", l.light, "Direction toward the light that leaves turn to");
-  v.number("turn", l.turn, {.min = 0, .max = 1},
-           "How leaves are turned: 0 flat on the surface, 1 square to the light");
-  v.number("adult", l.adult, {.min = 0, .max = 1}, "Share of heart-shaped leaves on the oldest shoots");
-  v.number("young_length", l.young_length, {.min = 0, .max = 10, .unit = "m"},
+  v.number("turn", l.turn, kShare, "How leaves are turned: 0 flat on the surface, 1 square to the light");
+  v.number("adult", l.adult, kShare, "Share of heart-shaped leaves on the oldest shoots");
+  v.number("young_length", l.young_length, metres(0, 10),
            "Length below a tip over which leaves are small and fresh");
   v.choice("detail", l.detail, kIvyDetails, "How leaves are drawn");
   v.list("colors", l.colors, Count{1, 16}, "Colours of grown leaves");
@@ -165,14 +153,13 @@ void describe(Properties& v, Walkers& w) {
   v.file(
       "file", w.file, [&](const NamedFile& file) { return load_unit_mesh(file, w.mesh); },
       "A mesh (OBJ, PLY, STL, GLB) of the body, named as seen from the preset's folder: y is up, it walks "
-      "toward z; "
-      "without it a beetle walks");
-  v.number("size", w.size, {.min = 0.0005, .max = 10, .unit = "m"}, "Length of the body");
+      "toward z; without it a beetle walks");
+  v.number("size", w.size, metres(0.0005, 10), "Length of the body");
   v.number("size_variation", w.size_variation, {.min = 0, .max = 0.9},
            "Random change of the size, as a share of it");
   v.list("colors", w.colors, Count{1, 16}, "Colours of the body, one for each");
   v.color("second", w.second, "Colour of a beetle's head, legs and feelers");
-  v.number("gloss", w.gloss, {.min = 0, .max = 1}, "How much it shines");
+  v.number("gloss", w.gloss, kShare, "How much it shines");
 }
 
 void describe(Properties& v, Flutter& f) {
@@ -181,7 +168,7 @@ void describe(Properties& v, Flutter& f) {
           "Angle by which a gust moves a leaf on a petiole of 5 cm");
   v.number("speed", f.speed, {.min = 0, .max = 20, .unit = "1/s"},
            "Number of swings in a second; single leaves differ");
-  v.number("gust", f.gust, {.min = 0.05, .max = 1000, .unit = "m"}, "Distance from one gust to the next");
+  v.number("gust", f.gust, metres(0.05, 1000), "Distance from one gust to the next");
   v.direction("direction", f.direction, Across::xz, "Direction in which gusts travel; only x and z count");
 }
 
@@ -192,7 +179,7 @@ void describe(Properties& v, Breeze& b) {
   v.number("speed", b.speed, {.min = 0, .max = 30, .unit = "m/s"},
            "Mean speed of a wind with gusts in which hanging strands are simulated as chains with weight and "
            "stiffness; 0 lets them swing by amplitude");
-  v.number("gust", b.gust, {.min = 0.2, .max = 1000, .unit = "m"},
+  v.number("gust", b.gust, metres(0.2, 1000),
            "Distance from one gust of that wind to the next; gusts travel at its speed");
   v.direction("direction", b.direction, Across::xz, "Direction of the wind; only x and z count");
 }
@@ -203,7 +190,7 @@ void describe(Properties& v, IvyParams& i) {
          "there are");
   v.vector("facing", i.facing, {.min = -1000, .max = 1000},
            "Roots without a place of their own stand where the host looks this way; [0, 0, 0] is anywhere");
-  v.number("above", i.above, {.min = 0, .max = 100, .unit = "m"},
+  v.number("above", i.above, metres(0, 100),
            "Height above the host's lowest point up to which roots without a place of their own stand");
   v.object("crawl", i.crawl, "How strands creep");
   v.object("leaves", i.leaves, "The leaves");
@@ -300,9 +287,9 @@ class IvyGrower final : public Described<IvyParams, BedGrower> {
     const Crawl& crawl = params.crawl;
     for (int axis = 0; axis < 3; ++axis)
       if (crawl.low[axis] > crawl.high[axis])
-        return {{fmt::format("/crawl/high/{}", axis),
-                 fmt::format("found {:g}, below the {:g} of low; expected a box that holds something",
-                             crawl.high[axis], crawl.low[axis])}};
+        return {error_at(fmt::format("/crawl/high/{}", axis),
+                         "found {:g}, below the {:g} of low; expected a box that holds something",
+                         crawl.high[axis], crawl.low[axis])};
     for (std::size_t i = 0; i < crawl.guides.size(); ++i)
       if (crawl.guides[i].curves().empty() && crawl.guides[i].file.empty())
         return {{fmt::format("/crawl/guides/{}", i), "expected at least two points, or a file of lines"}};
@@ -311,9 +298,8 @@ class IvyGrower final : public Described<IvyParams, BedGrower> {
     if (crawl.mask)
       for (std::size_t i = 0; i < crawl.mask->scales.size(); ++i)
         if (std::ranges::find(kMaskScales, crawl.mask->scales[i]) == std::end(kMaskScales))
-          return {{fmt::format("/crawl/mask/scales/{}", i),
-                   fmt::format("found \"{}\"; expected one of {}", crawl.mask->scales[i],
-                               fmt::join(kMaskScales, ", "))}};
+          return {error_at(fmt::format("/crawl/mask/scales/{}", i), "found \"{}\"; expected one of {}",
+                           crawl.mask->scales[i], fmt::join(kMaskScales, ", "))};
     auto none = [](const auto& key) { return glm::length(key.value) < 1e-3f; };
     auto biased = [](const auto& key) { return key.value > 0; };
     if (crawl.lure == Lure::point || std::ranges::none_of(crawl.bias.keys(), biased) ||

@@ -59,15 +59,14 @@ inline constexpr Choice<Wrought> kWrought[] = {
     {"plain", Wrought::plain, "fine pores, as on Porites"}};
 
 void describe(Properties& v, MassiveParams& m) {
-  v.number("across", m.across, {.min = 0.02, .max = 5, .unit = "m"}, "How wide it comes to be");
-  v.number("height", m.height, {.min = 0.01, .max = 5, .unit = "m"}, "How high it comes to be");
-  v.number("lumps", m.lumps, {.min = 0, .max = 1}, "How uneven it is: 0 a dome .. 1 a heap of domes");
-  v.number("lump_size", m.lump_size, {.min = 0.005, .max = 5, .unit = "m"}, "Distance from lump to lump");
+  v.number("across", m.across, metres(0.02, 5), "How wide it comes to be");
+  v.number("height", m.height, metres(0.01, 5), "How high it comes to be");
+  v.number("lumps", m.lumps, kShare, "How uneven it is: 0 a dome .. 1 a heap of domes");
+  v.number("lump_size", m.lump_size, metres(0.005, 5), "Distance from lump to lump");
   v.choice("relief", m.relief, kWrought, "What its surface is wrought into");
-  v.number("valley", m.valley, {.min = 0.002, .max = 1, .unit = "m"},
-           "Distance from one ridge, or one cup, to the next");
-  v.number("depth", m.depth, {.min = 0, .max = 0.2, .unit = "m"}, "Depth of the valleys, or of the cups");
-  v.number("edge", m.edge, {.min = 0.001, .max = 0.2, .unit = "m"},
+  v.number("valley", m.valley, metres(0.002, 1), "Distance from one ridge, or one cup, to the next");
+  v.number("depth", m.depth, metres(0, 0.2), "Depth of the valleys, or of the cups");
+  v.number("edge", m.edge, metres(0.001, 0.2),
            "Length of the sides of its triangles; a fifth of a valley draws it well");
   v.object("tissue", m.tissue, "The living skin");
   v.object("growth", m.growth, "When it grows in the film");

@@ -225,7 +225,7 @@ Errors mesh_warnings(const MeshParams& params) {
   auto sheer = +[](const MeshMaterial& m) { return m.opacity < kOpaque; };
   auto warn = [&](const char* pointer, auto which, std::string_view before, std::string_view after) {
     if (std::string list = listed(params, which); !list.empty())
-      warnings.push_back({pointer, fmt::format("{} {}; {}", before, list, after)});
+      warnings.push_back(error_at(pointer, "{} {}; {}", before, list, after));
   };
   if (params.own_color) {
     warn("/color", colored, "takes the place of the colours that the file gives its materials",
@@ -243,10 +243,10 @@ Errors mesh_warnings(const MeshParams& params) {
   for (const auto& [which, taken] : parts_of(body))
     if (which >= 0 && is_pictured(body.material[static_cast<std::size_t>(which)]) &&
         !has_texture(body, which))
-      warnings.push_back(
-          {"/file", fmt::format("{} gives its material \"{}\" a picture but not all of its corners "
-                                "texture coordinates; it has one colour",
-                                params.file.name, body.material[static_cast<std::size_t>(which)].name)});
+      warnings.push_back(error_at("/file",
+                                  "{} gives its material \"{}\" a picture but not all of its corners texture "
+                                  "coordinates; it has one colour",
+                                  params.file.name, body.material[static_cast<std::size_t>(which)].name));
   return warnings;
 }
 

@@ -33,11 +33,9 @@ void describe(Properties& v, MeshParams& m) {
   v.file(
       "file", m.file, [&](const NamedFile& file) { return load_mesh_body(file, m); },
       "A mesh as Wavefront OBJ, PLY, STL or GLB, named as seen from the preset's folder or from where Frond "
-      "runs; "
-      "the middle of its underside stands at its place");
+      "runs; the middle of its underside stands at its place");
   v.required("file");
-  v.number("size", m.size, {.min = 0.001, .max = 100, .unit = "m"},
-           "Length of its longest side, to which the file is scaled");
+  v.number("size", m.size, metres(0.001, 100), "Length of its longest side, to which the file is scaled");
   v.given("size", m.own_size);
   v.choice("unit", m.unit, kLengthUnits,
            "Unit of length of the file, which keeps its size; in place of size");
@@ -45,15 +43,14 @@ void describe(Properties& v, MeshParams& m) {
          "Names of the objects, groups or materials of the file that others may creep on; without any, all");
   v.choice("matter", m.matter, kMeshMatters,
            "What it is made of; without it, what the file's materials say of colour, picture and opacity, if "
-           "it has "
-           "any");
+           "it has any");
   v.given("matter", m.own_matter);
   v.color("color", m.color,
           "Colour of its surface; without it, the colours of the file's materials, if it has any");
   v.given("color", m.own_color);
   v.color("second", m.second, "Colour of stains and cracks");
-  v.number("scale", m.scale, {.min = 0.001, .max = 10, .unit = "m"}, "Size of the pattern");
-  v.number("weathering", m.weathering, {.min = 0, .max = 1}, "How much soot, damp and moss there is");
+  v.number("scale", m.scale, metres(0.001, 10), "Size of the pattern");
+  v.number("weathering", m.weathering, kShare, "How much soot, damp and moss there is");
   v.aspect(Aspect::look, "matter", "color", "second", "scale", "weathering");
 }
 
@@ -84,8 +81,7 @@ class MeshGrower final : public Described<MeshParams, BodyBuilder> {
     if (!params.body) return {};
     constexpr double kLeast = 0.001, kMost = 1000;
     if (double size = size_of(params); params.unit && !(size >= kLeast && size <= kMost))
-      return {Error{"/unit",
-                    fmt::format("makes the body {:.4g} m long; expected {} to {} m", size, kLeast, kMost)}};
+      return {error_at("/unit", "makes the body {:.4g} m long; expected {} to {} m", size, kLeast, kMost)};
     for (auto [pointer, names] : {std::pair("/parts", &params.parts), {"/carries", &params.carries}})
       if (Errors errors = name_faults(pointer, *names); !errors.empty()) return errors;
     return {};

@@ -48,9 +48,9 @@ Result<Model> grow_mushroom(const MushroomParams& params, const Surroundings&, S
   int round = params.septa * kSeptaInAll * kSeptumParts / 2;
   double half = params.across / 2;
   SheetBody body;
-  Vec3 lot(static_cast<float>(seed.child("lot").range(-99, 99)), 0, 0);
+  Vec3 lot(seed.child("lot").range(-99, 99), 0, 0);
   auto at_of = [&](double share, double turn) {
-    Vec3 out(static_cast<float>(std::cos(turn)), 0, static_cast<float>(params.oval * std::sin(turn)));
+    Vec3 out(std::cos(turn), 0, params.oval * std::sin(turn));
     double bent = 1 + kUneven * fractal_noise(out * 1.5f + lot, 2);
     return out * static_cast<float>(half * share * bent);
   };
@@ -68,8 +68,7 @@ Result<Model> grow_mushroom(const MushroomParams& params, const Surroundings&, S
   for (int j = 0; j <= kMushroomRings; ++j)
     for (int i = 0; i < round; ++i) {
       double share = kMouth + kToRim * j / kMushroomRings, turn = 2 * kPi * i / round;
-      double wander =
-          kSeptaWander * std::sin(5 * share + 3 * noise(Vec3(static_cast<float>(6 * turn), 0, 0) + lot));
+      double wander = kSeptaWander * std::sin(5 * share + 3 * noise(Vec3(6 * turn, 0, 0) + lot));
       float crest = septum_at(turn + wander * share, share, params.septa);
       Vec3 p = at_of(share, turn);
       // The mouth is a slit along it.
@@ -105,12 +104,12 @@ Result<Model> grow_mushroom(const MushroomParams& params, const Surroundings&, S
 }
 
 void describe(Properties& v, MushroomParams& p) {
-  v.number("across", p.across, {.min = 0.01, .max = 5, .unit = "m"}, "How wide it comes to be");
-  v.number("height", p.height, {.min = 0.005, .max = 5, .unit = "m"}, "How high it comes to be");
+  v.number("across", p.across, metres(0.01, 5), "How wide it comes to be");
+  v.number("height", p.height, metres(0.005, 5), "How high it comes to be");
   v.number("oval", p.oval, {.min = 0.2, .max = 1}, "Its width by its length");
   v.integer("septa", p.septa, {.min = 6, .max = 200},
             "Septa that reach the mouth; others stand between them");
-  v.number("depth", p.depth, {.min = 0, .max = 0.1, .unit = "m"}, "Depth of the valleys between septa");
+  v.number("depth", p.depth, metres(0, 0.1), "Depth of the valleys between septa");
   v.object("tissue", p.tissue, "The living skin");
   v.object("growth", p.growth, "When it grows in the film");
 }

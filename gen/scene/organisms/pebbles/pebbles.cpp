@@ -1,7 +1,5 @@
 #include "organisms/pebbles/pebbles.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "land/scatter.h"
@@ -19,10 +17,10 @@ Errors check_pebbles(const PebblesParams& params) {
   // A shape has about so many triangles where its finest cells are all over.
   double triangles = params.shapes * 8 * std::pow(4.0, params.shape.cells.depth);
   if (triangles > kMostTriangles)
-    errors.push_back(
-        {"/shapes", fmt::format("so many shapes of that depth may have {:.2g} triangles; expected "
-                                "{:.2g} at most, by fewer shapes or a smaller depth",
-                                triangles, kMostTriangles)});
+    errors.push_back(error_at("/shapes",
+                              "so many shapes of that depth may have {:.2g} triangles; expected {:.2g} at "
+                              "most, by fewer shapes or a smaller depth",
+                              triangles, kMostTriangles));
   if (params.least_size > params.most_size) errors.push_back({"", "least_size is above most_size"});
   return errors;
 }
@@ -72,7 +70,7 @@ Result<Model> build_pebbles(const PebblesParams& params, Seed seed) {
     Quat lean = glm::angleAxis(static_cast<float>(own.child("lean").range(-kLean, kLean)), Vec3(1, 0, 0));
     float factor = size / static_cast<float>(middle);
     float sunk = static_cast<float>(params.buried) * height[which] * factor;
-    Vec3 scale = factor * Vec3(1, static_cast<float>(own.child("flat").range(kFlattest, kHighest)), 1);
+    Vec3 scale = factor * Vec3(1, own.child("flat").range(kFlattest, kHighest), 1);
     solids.place(which, Vec3(spots[0].at.x, -sunk, spots[0].at.y), turn * lean, scale);
   }
   return model;
@@ -83,14 +81,11 @@ void describe(Properties& v, PebblesParams& p) {
   v.object("stone", p.stone, "The surface of the stones");
   v.integer("shapes", p.shapes, {.min = 1, .max = 1000}, "How many different shapes there are");
   v.integer("number", p.number, {.min = 1, .max = 20000}, "How many stones lie there, if there is room");
-  v.number("radius", p.radius, {.min = 0.01, .max = 100, .unit = "m"}, "Radius of the field of stones");
-  v.number("inner", p.inner, {.min = 0, .max = 100, .unit = "m"},
-           "Radius round the middle of the field that stays free");
-  v.number("least_size", p.least_size, {.min = 0.001, .max = 100, .unit = "m"},
-           "Longest side of the smallest stone");
-  v.number("most_size", p.most_size, {.min = 0.001, .max = 100, .unit = "m"},
-           "Longest side of the largest stone");
-  v.number("buried", p.buried, {.min = 0, .max = 1}, "Share of a stone's height that is in the ground");
+  v.number("radius", p.radius, metres(0.01, 100), "Radius of the field of stones");
+  v.number("inner", p.inner, metres(0, 100), "Radius round the middle of the field that stays free");
+  v.number("least_size", p.least_size, metres(0.001, 100), "Longest side of the smallest stone");
+  v.number("most_size", p.most_size, metres(0.001, 100), "Longest side of the largest stone");
+  v.number("buried", p.buried, kShare, "Share of a stone's height that is in the ground");
 }
 
 namespace {

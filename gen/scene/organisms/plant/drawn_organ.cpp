@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -153,8 +152,8 @@ Result<TwigParts> drawn_foliage(const OrganParams& organ, Seed seed) {
   const GrammarText& text = grammar->text;
   seed = seed.child("derive", text.seed);
   if (Forecast size = forecast(*grammar, text.steps, seed, kMost); size.passes_at >= 0)
-    return Error{"", fmt::format("draws {} modules or segments by step {}; an organ has {} at most",
-                                 count_text(size.passes_with), size.passes_at, kMost.modules)};
+    return error_at("", "draws {} modules or segments by step {}; an organ has {} at most",
+                    count_text(size.passes_with), size.passes_at, kMost.modules);
   Result<Figure> figure = figure_of(*grammar, text.growth(), seed, kMost);
   if (!figure) return figure.errors();
   if (!figure->sites.empty())

@@ -43,11 +43,9 @@ void describe(Properties& v, OrganParams& o) {
   v.file(
       "file", o.file, [&](const NamedFile& file) { return load_unit_mesh(file, o.mesh); },
       "A mesh (OBJ, PLY, STL, GLB), named as seen from the preset's folder: y is up, the middle of its "
-      "underside is "
-      "its foot, its longest side becomes size. Needs \"shape\": \"obj\"",
+      "underside is its foot, its longest side becomes size. Needs \"shape\": \"obj\"",
       o.shape == OrganShape::obj);
-  v.number("size", o.size, {.min = 0.00001, .max = 1000, .unit = "m"},
-           "Length; a parameter in the grammar multiplies it");
+  v.number("size", o.size, metres(0.00001, 1000), "Length; a parameter in the grammar multiplies it");
   v.list("colors", o.colors, Count{1, 64},
          "Colours of the organ; the turtle's colour index picks one, round and round. Needs shape other than "
          "picture");
@@ -58,7 +56,7 @@ void describe(Properties& v, OrganParams& o) {
   v.number("widest", o.widest, {.min = 0.05, .max = 0.95},
            "Where along it a leaf or petal is widest, 0 foot to 1 tip; without it as is usual for its shape");
   v.number(
-      "round", o.round, {.min = 0, .max = 1},
+      "round", o.round, kShare,
       "How round a leaf or petal ends: 0 drawn out to a tip, 1 round; without it as is usual for its shape");
   v.integer("detail", o.detail, {.min = 1, .max = 3},
             "How fine leaves and petals are: 10, 52 or 126 triangles each");
@@ -81,7 +79,7 @@ void describe(Properties& v, OrganParams& o) {
             "Number of different shapes of a sprig, frond or grammar, or of a picture that curls");
   v.angle("open", o.open, {.min = 0, .max = 150},
           "Angle between petals and the heading of the flower or bud");
-  v.number("heart", o.heart, {.min = 0, .max = 1}, "Radius of a flower's heart, as a share of its size");
+  v.number("heart", o.heart, kShare, "Radius of a flower's heart, as a share of its size");
   v.number("size_variation", o.size_variation, {.min = 0, .max = 0.9},
            "Random change of the size, as a share of it");
   v.angle("turn_variation", o.turn_variation, {.min = 0, .max = 180},
@@ -89,10 +87,9 @@ void describe(Properties& v, OrganParams& o) {
   v.object("picture", o.picture,
            "The leaf's outline, colours and mesh; size and variations are those above. Needs \"shape\": "
            "\"picture\"");
-  v.object(
-      "grammar", o.grammar,
-      "The rules that draw it: each branch of one segment is a leaflet, each outline a blade, all else its "
-      "stem, whose longest way becomes size. Needs \"shape\": \"grammar\"");
+  v.object("grammar", o.grammar,
+           "The rules that draw it: each branch of one segment is a leaflet, each outline a blade, all else "
+           "its stem, whose longest way becomes size. Needs \"shape\": \"grammar\"");
   v.object("luster", o.luster, "How it takes light; without it as is usual for its shape");
   v.number("dew", o.dew, {.min = 0, .max = 60}, "Drops of dew on a square centimetre of its upper side");
   v.aspect(Aspect::shape, "symbol", "size", "size_variation", "turn_variation");
@@ -106,9 +103,8 @@ void describe(Properties& v, PlantGrammar& g) {
                                                                                 : load_grammar(file, g);
       },
       "A grammar of LParser, Houdini or Fractint or a skeleton as SWC, named as seen from this file's "
-      "folder, where what else "
-      "is given here counts in place of what stands there; or a model of cpfg (.l), which takes only steps, "
-      "limits and vary from here");
+      "folder, where what else is given here counts in place of what stands there; or a model of cpfg (.l), "
+      "which takes only steps, limits and vary from here");
   v.boolean("vary", g.vary,
             "Whether each plant of a model of cpfg has chances of its own; without it all are the one plant "
             "that cpfg grows");
@@ -118,7 +114,7 @@ void describe(Properties& v, PlantParams& p) {
   v.object("grammar", p.grammar, "The rules that it grows by");
   if (v.purpose() == Purpose::reading) use_model_colors(p);
   v.required("grammar");
-  v.number("height", p.height, {.min = 0, .max = 1000, .unit = "m"},
+  v.number("height", p.height, metres(0, 1000),
            "Height that the whole is scaled to; 0 leaves it as the turtle draws it");
   v.choice("stand", p.origin, kPlantOrigins, "Which point of it stands at its place");
   v.integer("smoothing", p.smoothing, {.min = 1, .max = 16},

@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +9,7 @@
 namespace frond {
 
 void describe(Properties& v, FishParams& f) {
-  v.number("length", f.length, {.min = 0.005, .max = 20, .unit = "m"}, "Length from nose to tail");
+  v.number("length", f.length, metres(0.005, 20), "Length from nose to tail");
   v.number("size_variation", f.size_variation, {.min = 0, .max = 0.6},
            "Random change of the length, as a share of it");
   v.number("beat", f.beat, {.min = 0.1, .max = 20},
@@ -21,10 +20,8 @@ void describe(Properties& v, FishParams& f) {
 
 void describe(Properties& v, SwimParams& s) {
   v.number("speed", s.speed, {.min = 0.01, .max = 20, .unit = "m/s"}, "Speed through the water");
-  v.number("spacing", s.spacing, {.min = 0.005, .max = 50, .unit = "m"},
-           "Distance that fish like to keep from each other");
-  v.number("sight", s.sight, {.min = 0.01, .max = 100, .unit = "m"},
-           "Distance within which a fish reads others");
+  v.number("spacing", s.spacing, metres(0.005, 50), "Distance that fish like to keep from each other");
+  v.number("sight", s.sight, metres(0.01, 100), "Distance within which a fish reads others");
   v.number("separation", s.separation, {.min = 0, .max = 10}, "How strongly fish keep apart");
   v.number("alignment", s.alignment, {.min = 0, .max = 10},
            "How strongly they take the direction of those round them");
@@ -32,11 +29,11 @@ void describe(Properties& v, SwimParams& s) {
   v.number("avoidance", s.avoidance, {.min = 0, .max = 10},
            "How strongly they turn away from what stands in their way");
   v.number("wander", s.wander, {.min = 0, .max = 10}, "How strongly each drifts by itself");
-  v.number("home", s.home, {.min = 0.02, .max = 100, .unit = "m"}, "Radius of the school, about");
-  v.number("layer", s.layer, {.min = 0.02, .max = 100, .unit = "m"}, "Half the height of the school, about");
-  v.number("roam", s.roam, {.min = 0, .max = 100, .unit = "m"},
+  v.number("home", s.home, metres(0.02, 100), "Radius of the school, about");
+  v.number("layer", s.layer, metres(0.02, 100), "Half the height of the school, about");
+  v.number("roam", s.roam, metres(0, 100),
            "Distance that the school goes from its place and back in the film; shorter where the film is");
-  v.number("clearance", s.clearance, {.min = 0, .max = 10, .unit = "m"},
+  v.number("clearance", s.clearance, metres(0, 10),
            "Distance that fish keep from corals, rocks and ground at least, beside half their length");
   v.vector(
       "current", s.current, {.min = -10, .max = 10},
@@ -56,7 +53,7 @@ constexpr double kMostFish = 5000;
 Errors too_many_fish(std::span<const Organism* const> all, double /*relief*/) {
   for (const Organism* one : all)
     if (one->count > kMostFish)
-      return {{"/count", fmt::format("found {} fish; expected {} at most", one->count, kMostFish)}};
+      return {error_at("/count", "found {} fish; expected {} at most", one->count, kMostFish)};
   return {};
 }
 

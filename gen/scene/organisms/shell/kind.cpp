@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -33,8 +32,7 @@ void describe(Properties& v, ShellCostae& c) {
 void describe(Properties& v, ShellScutes& s) {
   v.integer("count", s.count, {.min = 0, .max = 60},
             "Number along each rib on a whorl, or on a valve from its beak to its margin; 0 is none");
-  v.number("height", s.height, {.min = 0, .max = 1},
-           "Height, as a share of the last whorl's radius or the valve's height");
+  v.number("height", s.height, kShare, "Height, as a share of the last whorl's radius or the valve's height");
 }
 
 void describe(Properties& v, MantleParams& m) {
@@ -48,8 +46,7 @@ void describe(Properties& v, MantleParams& m) {
 
 void describe(Properties& v, ShellParams& p) {
   v.choice("form", p.form, kShellForms, "What shell it is");
-  v.number("size", p.size, {.min = 0.001, .max = 5, .unit = "m"},
-           "Length of its longest side, as it lies closed");
+  v.number("size", p.size, metres(0.001, 5), "Length of its longest side, as it lies closed");
   v.number(
       "expansion", p.expansion, {.min = 1.02, .max = 1e12},
       "Raup's W: the factor by which it grows in a whorl; 1.2 to 4 for snails, from 10 on for valves: the "
@@ -60,10 +57,9 @@ void describe(Properties& v, ShellParams& p) {
            "Raup's T: how far it moves along the axis, by its distance from it; 0 coils in a plane");
   v.number("aspect", p.aspect, {.min = 0.1, .max = 8}, "Raup's S: the edge along the axis by across it");
   v.number("whorls", p.whorls, {.min = 0.02, .max = 30}, "Number of whorls; of a valve less than half a one");
-  v.list(
-      "edge", p.edge, {.min = 0, .max = 64},
-      "The growing edge as a closed curve through points [from the axis, along it], in place of distance and "
-      "aspect");
+  v.list("edge", p.edge, {.min = 0, .max = 64},
+         "The growing edge as a closed curve through points [from the axis, along it], in place of distance "
+         "and aspect");
   v.number("wall", p.wall, {.min = 0.005, .max = 0.3}, "Thickness, as a share of the last whorl's radius");
   v.number("flare", p.flare, {.min = 0, .max = 1.5},
            "How far the outer lip turns outward in its last part, as a share of the last whorl's radius");
@@ -98,11 +94,11 @@ class ShellGrower final : public Described<ShellParams, ColonyGrower> {
   Review review() const override {
     Errors errors;
     if (!params.coiled() && params.whorls >= 0.5)
-      errors.push_back({"/whorls", fmt::format("found a valve of {} whorls; expected less than half of one",
-                                               params.whorls)});
+      errors.push_back(
+          error_at("/whorls", "found a valve of {} whorls; expected less than half of one", params.whorls));
     if (!params.edge.empty() && params.edge.size() < 4)
       errors.push_back(
-          {"/edge", fmt::format("found {} points; expected 4 at least, or none", params.edge.size())});
+          error_at("/edge", "found {} points; expected 4 at least, or none", params.edge.size()));
     if (std::ranges::any_of(params.edge, [](Vec2 p) { return p.x < 0; }))
       errors.push_back({"/edge", "goes beyond the axis; expected distances of 0 and more"});
     if (!params.edge.empty() && std::ranges::max(params.edge, {}, &Vec2::x).x <= 0)

@@ -25,8 +25,8 @@ double swelling(const MantleParams& mantle, double along, double across, bool fa
   constexpr double kTubeHeight = 0.55, kTubeDepth = 0.9;                    // in heights of the swelling
   double inlet = bump(along - kInlet, kInletWidth);
   double pillow = std::sin(kPi * std::min(0.97, 0.16 + 0.66 * across)) - 0.35;
-  double waves = noise(Vec3(static_cast<float>(along * kWavesAlong), far ? 7.3f : 2.1f, 0)) +
-                 0.5 * noise(Vec3(static_cast<float>(along * kRipplesAlong), far ? 3.3f : 9.1f, 4));
+  double waves = noise(Vec3(along * kWavesAlong, far ? 7.3f : 2.1f, 0)) +
+                 0.5 * noise(Vec3(along * kRipplesAlong, far ? 3.3f : 9.1f, 4));
   double slit = (0.8 + 0.6 * inlet) * bump(across, 0.07 + 0.16 * inlet);  // deeper and wider at the inlet
   double ring = std::hypot((along - kOutlet) * 9, across * 0.9);
   double tube = kTubeHeight * bump(ring - kTubeRadius, kTubeWall) - kTubeDepth * bump(ring, kTubeHole);
@@ -88,8 +88,7 @@ Surface shell_mantle(const ShellParams& params, const ShellEdge& edge, double gr
                     (below ? -0.5 : 0.5) * gape);
     };
     Vec3 high = margin(false), low = margin(true), middle = 0.5f * (high + low), half = 0.5f * (high - low);
-    Vec3 out = glm::normalize(
-        Vec3(static_cast<float>(edge.at[i].normal[0]), 0, static_cast<float>(edge.at[i].normal[1])));
+    Vec3 out = glm::normalize(Vec3(edge.at[i].normal[0], 0, edge.at[i].normal[1]));
     out = glm::normalize(out + Vec3(0.5f, 0, 0));  // rather away from the hinge
     Vec3 aside = glm::normalize(half + Vec3(0, 1e-4f * static_cast<float>(size), 0));
     auto wide = static_cast<double>(glm::length(half));

@@ -5,7 +5,6 @@
 
 #include "appearance/shell_look.h"
 #include "core/curve.h"
-#include "core/result.h"
 #include "model/model.h"
 #include "motion/motion.h"
 

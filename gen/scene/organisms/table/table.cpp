@@ -115,8 +115,7 @@ SheetBody lawn_of(const Sheet& sheet, const SheetBody& top, const TableParams& p
     Vec3 foot = place(top.surface.position);
     Vec3 out(foot.x, 0, foot.z);
     float away = glm::length(out) / reach;
-    Vec3 lean(static_cast<float>(own.child("x").range(-kScatter, kScatter)), 0,
-              static_cast<float>(own.child("z").range(-kScatter, kScatter)));
+    Vec3 lean(own.child("x").range(-kScatter, kScatter), 0, own.child("z").range(-kScatter, kScatter));
     Vec3 up = glm::normalize(Vec3(0, 1, 0) + lean +
                              out / reach * (kOutward + kRimOutward * smooth_step(kRimFrom, kRimFull, away)));
     auto length = static_cast<float>(params.branchlet * own.child("length").range(0.65, 1.05));
@@ -147,7 +146,7 @@ Sheet table_sheet(const TableParams& params, const Surroundings& around, Seed se
              .lobes = params.lobes,
              .lobe_size = 0.16 * params.across,
              .clearance = 2.5 * params.edge};
-  Vec3 middle(0, static_cast<float>(params.height - params.branchlet), 0);
+  Vec3 middle(0, params.height - params.branchlet, 0);
   MarginStart start = ring_start(middle, 2 * params.edge, 0, 2 * kPi, 0, params.edge);
   start.filled = true;
   return grow_margins(law, {start}, margin_world(around), seed.child("sheet"));
@@ -161,16 +160,14 @@ Result<Model> grow_table(const TableParams& params, const Surroundings& around, 
 }
 
 void describe(Properties& v, TableParams& p) {
-  v.number("across", p.across, {.min = 0.01, .max = 5, .unit = "m"}, "How wide it comes to be");
-  v.number("height", p.height, {.min = 0.005, .max = 5, .unit = "m"}, "How high it comes to be");
-  v.number("stalk", p.stalk, {.min = 0.005, .max = 2, .unit = "m"}, "How wide its stalk is");
-  v.number("lobes", p.lobes, {.min = 0, .max = 1}, "How uneven its outline is");
-  v.number("thickness", p.thickness, {.min = 0.001, .max = 0.5, .unit = "m"},
-           "Thickness of the table at its rim");
-  v.number("branchlet", p.branchlet, {.min = 0.001, .max = 0.5, .unit = "m"}, "Length of the branchlets");
-  v.number("spacing", p.spacing, {.min = 0.002, .max = 0.5, .unit = "m"},
-           "Distance from one branchlet to the next");
-  v.number("edge", p.edge, {.min = 0.0005, .max = 0.2, .unit = "m"}, "Length of the sides of its triangles");
+  v.number("across", p.across, metres(0.01, 5), "How wide it comes to be");
+  v.number("height", p.height, metres(0.005, 5), "How high it comes to be");
+  v.number("stalk", p.stalk, metres(0.005, 2), "How wide its stalk is");
+  v.number("lobes", p.lobes, kShare, "How uneven its outline is");
+  v.number("thickness", p.thickness, metres(0.001, 0.5), "Thickness of the table at its rim");
+  v.number("branchlet", p.branchlet, metres(0.001, 0.5), "Length of the branchlets");
+  v.number("spacing", p.spacing, metres(0.002, 0.5), "Distance from one branchlet to the next");
+  v.number("edge", p.edge, metres(0.0005, 0.2), "Length of the sides of its triangles");
   v.object("tissue", p.tissue, "The living skin");
   v.object("growth", p.growth, "When it grows in the film");
 }

@@ -64,29 +64,25 @@ inline constexpr Choice<TrellisForm> kTrellisForms[] = {
 void describe(Properties& v, TrellisParams& t) {
   TrellisShape& s = t.shape;
   v.choice("form", s.form, kTrellisForms, "What it is made of");
-  v.number("width", s.width, {.min = 0.1, .max = 100, .unit = "m"}, "Length of the trellis, along x");
-  v.number("height", s.height, {.min = 0.1, .max = 20, .unit = "m"}, "Height above the ground");
+  v.number("width", s.width, metres(0.1, 100), "Length of the trellis, along x");
+  v.number("height", s.height, metres(0.1, 20), "Height above the ground");
   v.integer("posts", s.posts, {.min = 2, .max = 200}, "Number of posts. Needs \"form\": \"wires\"");
-  v.number("post", s.post, {.min = 0.01, .max = 0.5, .unit = "m"},
-           "Width of a post. Needs \"form\": \"wires\"");
+  v.number("post", s.post, metres(0.01, 0.5), "Width of a post. Needs \"form\": \"wires\"");
   v.integer("wires", s.wires, {.min = 1, .max = 60}, "Number of wires, or of level laths of a fan");
-  v.number("lowest", s.lowest, {.min = 0.01, .max = 20, .unit = "m"}, "Height of the lowest of them");
-  v.number("wire", s.wire, {.min = 0.001, .max = 0.03, .unit = "m"},
-           "Thickness of a wire. Needs \"form\": \"wires\"");
-  v.number("sag", s.sag, {.min = 0, .max = 0.3, .unit = "m"},
+  v.number("lowest", s.lowest, metres(0.01, 20), "Height of the lowest of them");
+  v.number("wire", s.wire, metres(0.001, 0.03), "Thickness of a wire. Needs \"form\": \"wires\"");
+  v.number("sag", s.sag, metres(0, 0.3),
            "How far a wire hangs through between two posts. Needs \"form\": \"wires\"");
-  v.number("spacing", s.spacing, {.min = 0.05, .max = 5, .unit = "m"},
-           "Distance from lath to lath. Needs \"form\": \"lattice\"");
+  v.number("spacing", s.spacing, metres(0.05, 5), "Distance from lath to lath. Needs \"form\": \"lattice\"");
   v.integer("rays", s.rays, {.min = 1, .max = 60}, "Number of laths that spread. Needs \"form\": \"fan\"");
-  v.number("lath", s.lath, {.min = 0.005, .max = 0.2, .unit = "m"},
-           "Width of a lath of a lattice or a fan; it is half as thick");
+  v.number("lath", s.lath, metres(0.005, 0.2), "Width of a lath of a lattice or a fan; it is half as thick");
   v.color("color", t.color, "Colour of the wood");
   v.color("second", t.second, "Colour of weathered wood");
   v.color("metal", t.metal, "Colour of the wires");
   v.number("variation", t.variation, {.min = 0, .max = 0.9},
            "How much the pieces differ in brightness, as a share");
-  v.number("weathering", t.weathering, {.min = 0, .max = 1}, "How weathered the wood is: 0 new, 1 old");
-  v.number("moss", t.moss, {.min = 0, .max = 1}, "How much moss grows on the wood");
+  v.number("weathering", t.weathering, kShare, "How weathered the wood is: 0 new, 1 old");
+  v.number("moss", t.moss, kShare, "How much moss grows on the wood");
   v.aspect(Aspect::look, "color", "second", "metal", "variation", "weathering", "moss");
 }
 

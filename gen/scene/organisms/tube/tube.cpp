@@ -26,7 +26,7 @@ std::vector<MarginStart> tube_starts(const TubeParams& params, Seed seed) {
   for (int i = 0; i < params.tubes; ++i) {
     Seed own = seed.child("tube", static_cast<std::uint64_t>(i));
     double share = params.tubes > 1 ? std::sqrt((i + 0.5) / params.tubes) : 0, angle = kTubeTurn * i;
-    Vec3 out(static_cast<float>(std::cos(angle)), 0, static_cast<float>(std::sin(angle)));
+    Vec3 out(std::cos(angle), 0, std::sin(angle));
     Vec3 lean =
         Vec3(0, 1, 0) + out * static_cast<float>(kLean * outward * share * own.child("lean").range(0.9, 1.1));
     double radius = params.radius * own.child("radius").range(0.75, 1.0);
@@ -60,7 +60,7 @@ Result<Model> grow_tube(const TubeParams& params, const Surroundings& around, Se
   std::vector<MarginStart> starts = tube_starts(params, seed.child("tubes"));
   MarginWorld world = margin_world(around);
   Sheet sheet = grow_margins(law, starts, world, seed.child("sheet"));
-  Vec3 lot(static_cast<float>(seed.child("lumps").range(-99, 99)), 0, 0);
+  Vec3 lot(seed.child("lumps").range(-99, 99), 0, 0);
   auto wall = static_cast<float>(params.wall), lumps = static_cast<float>(params.lumps);
   auto often = static_cast<float>(1 / params.lump_size), ribs = static_cast<float>(params.ribs);
   SheetSkin skin;
@@ -90,16 +90,16 @@ inline constexpr Choice<TubeForm> kTubeForms[] = {
 
 void describe(Properties& v, TubeParams& p) {
   v.choice("form", p.form, kTubeForms, "What the tubes are made of");
-  v.number("across", p.across, {.min = 0.01, .max = 5, .unit = "m"}, "How wide it comes to be");
-  v.number("height", p.height, {.min = 0.005, .max = 5, .unit = "m"}, "How high it comes to be");
+  v.number("across", p.across, metres(0.01, 5), "How wide it comes to be");
+  v.number("height", p.height, metres(0.005, 5), "How high it comes to be");
   v.integer("tubes", p.tubes, {.min = 1, .max = 400}, "Number of tubes");
-  v.number("radius", p.radius, {.min = 0.0005, .max = 2, .unit = "m"}, "Radius of a tube at its foot");
-  v.number("wall", p.wall, {.min = 0.0003, .max = 0.5, .unit = "m"}, "Thickness of its wall");
+  v.number("radius", p.radius, metres(0.0005, 2), "Radius of a tube at its foot");
+  v.number("wall", p.wall, metres(0.0003, 0.5), "Thickness of its wall");
   v.angle("bulge", p.bulge, {.min = -30, .max = 70}, "How far a tube widens from its foot before it rises");
   v.number("lumps", p.lumps, {.min = 0, .max = 2}, "How uneven tubes are outside");
-  v.number("lump_size", p.lump_size, {.min = 0.002, .max = 2, .unit = "m"}, "Distance from lump to lump");
+  v.number("lump_size", p.lump_size, metres(0.002, 2), "Distance from lump to lump");
   v.integer("ribs", p.ribs, {.min = 0, .max = 200}, "Ribs along a tube that stands alone; 0 none");
-  v.number("edge", p.edge, {.min = 0.0005, .max = 0.2, .unit = "m"}, "Length of the sides of its triangles");
+  v.number("edge", p.edge, metres(0.0005, 0.2), "Length of the sides of its triangles");
   v.object("tissue", p.tissue, "The living skin");
   v.object("growth", p.growth, "When it grows in the film");
 }

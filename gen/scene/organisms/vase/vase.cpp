@@ -75,7 +75,7 @@ inline constexpr Choice<Motif> kMotifs[] = {{"plain", Motif::plain, "nothing but
 
 void describe(Properties& v, Band& b) {
   v.aspect(Aspect::look);
-  v.number("at", b.at, {.min = 0, .max = 1}, "Middle of the band, as a share of the vessel's height");
+  v.number("at", b.at, kShare, "Middle of the band, as a share of the vessel's height");
   v.number("width", b.width, {.min = 0.001, .max = 1},
            "Width of the band, as a share of the vessel's height");
   v.color("color", b.color, "Colour of the band");
@@ -87,28 +87,26 @@ void describe(Properties& v, VaseParams& p) {
   VesselShape& s = p.shape;
   v.list("profile", s.profile, {.min = 2, .max = 21},
          "Control points [radius, height] of the Bézier curve that is turned, from the foot to the lip");
-  v.number("height", s.height, {.min = 0, .max = 20, .unit = "m"},
+  v.number("height", s.height, metres(0, 20),
            "Height that the curve is scaled to; 0 takes its points as metres");
-  v.number("wall", s.wall, {.min = 0.0005, .max = 1, .unit = "m"},
+  v.number("wall", s.wall, metres(0.0005, 1),
            "Thickness of the wall; held to what the bends and the neck of the curve allow");
   v.number("lip", s.lip, {.min = 1, .max = 8}, "Thickness of the rounded lip, as a multiple of the wall's");
-  v.number("foot", s.foot, {.min = 0, .max = 2, .unit = "m"}, "Height of the ring that it stands on");
-  v.number("foot_radius", s.foot_radius, {.min = 0, .max = 10, .unit = "m"},
+  v.number("foot", s.foot, metres(0, 2), "Height of the ring that it stands on");
+  v.number("foot_radius", s.foot_radius, metres(0, 10),
            "Radius of that ring; 0 takes that of the curve's foot, or a third of its widest");
   v.integer("sides", s.sides, {.min = 3, .max = 1024}, "Number of sides of the mesh, round the vessel");
   v.integer("rings", s.rings, {.min = 24, .max = 1024}, "Number of rings of the mesh, up the curve");
   v.choice("material", p.material, kVaseMaterials, "What it is made of");
   v.color("color", p.color, "Colour of the glaze, the clay or the glass");
   v.color("second", p.second, "Colour of the bare clay under a glaze, or of the salts on clay");
-  v.number("crackle", p.crackle, {.min = 0, .max = 1},
-           "How uneven the glaze is: 0 even, 1 with cracks, spots and runs");
-  v.number("moss", p.moss, {.min = 0, .max = 1}, "How much green grows on the clay");
-  v.number("gloss", p.gloss, {.min = 0, .max = 1}, "How glossy it is: 0 matt, 1 brilliant");
+  v.number("crackle", p.crackle, kShare, "How uneven the glaze is: 0 even, 1 with cracks, spots and runs");
+  v.number("moss", p.moss, kShare, "How much green grows on the clay");
+  v.number("gloss", p.gloss, kShare, "How glossy it is: 0 matt, 1 brilliant");
   v.number("variation", p.variation, {.min = 0, .max = 0.9},
            "How much single vessels differ in brightness, as a share");
   v.list("bands", p.bands, "Bands that are painted round it");
-  v.number("soil", p.soil, {.min = 0, .max = 1},
-           "Share of its height that is filled with earth; 0 leaves it empty");
+  v.number("soil", p.soil, kShare, "Share of its height that is filled with earth; 0 leaves it empty");
   v.choice("form", p.form, kVaseForms, "How it is handed to POV-Ray");
   v.aspect(Aspect::look, "material", "color", "second", "crackle", "moss", "gloss", "variation", "bands");
 }

@@ -77,9 +77,7 @@ void add_wall(Model& model, const WallParams& params, Seed seed, Vec3 foot, Quat
   append(model.hull, wall.hull);
 }
 
-Vec2 along(const PlaceLine& line) {
-  return Vec2(static_cast<float>(std::cos(line.turn)), static_cast<float>(-std::sin(line.turn)));
-}
+Vec2 along(const PlaceLine& line) { return Vec2(std::cos(line.turn), -std::sin(line.turn)); }
 
 /// Whether a line across this one ends where this one does, on the side of that sign.
 bool meets_at(std::span<const PlaceLine> lines, const PlaceLine& line, double side) {
@@ -130,25 +128,21 @@ inline constexpr Choice<WallHole> kWallHoles[] = {{"window", WallHole::window, "
 
 void describe(Properties& v, WallOpening& o) {
   v.choice("kind", o.kind, kWallHoles, "What stands in the opening");
-  v.number("at", o.at, {.min = -50, .max = 50, .unit = "m"},
-           "Where its middle is, from the middle of the wall along it");
-  v.number("sill", o.sill, {.min = 0, .max = 50, .unit = "m"}, "Height of its lower edge; a door has none");
-  v.number("width", o.width, {.min = 0.2, .max = 20, .unit = "m"}, "Width of the opening");
-  v.number("height", o.height, {.min = 0.2, .max = 20, .unit = "m"}, "Height of the opening");
+  v.number("at", o.at, metres(-50, 50), "Where its middle is, from the middle of the wall along it");
+  v.number("sill", o.sill, metres(0, 50), "Height of its lower edge; a door has none");
+  v.number("width", o.width, metres(0.2, 20), "Width of the opening");
+  v.number("height", o.height, metres(0.2, 20), "Height of the opening");
 }
 
 void describe(Properties& v, WallParams& w) {
   WallShape& s = w.shape;
-  v.number("width", s.width, {.min = 0.1, .max = 30, .unit = "m"}, "Length of the wall");
-  v.number("height", s.height, {.min = 0.1, .max = 15, .unit = "m"},
-           "Height without the coping, rounded to whole courses");
-  v.number("thickness", s.thickness, {.min = 0.05, .max = 2, .unit = "m"}, "Thickness from face to face");
-  v.vector("brick", s.brick, {.min = 0.03, .max = 1, .unit = "m"}, "Length, height and depth of a brick");
-  v.number("joint", s.joint, {.min = 0.002, .max = 0.03, .unit = "m"},
-           "Thickness of the mortar between bricks");
-  v.number("recess", s.recess, {.min = 0, .max = 0.02, .unit = "m"},
-           "How far the mortar lies behind the bricks' faces");
-  v.number("wear", s.wear, {.min = 0, .max = 1}, "How worn the bricks are: 0 as new, 1 chipped and askew");
+  v.number("width", s.width, metres(0.1, 30), "Length of the wall");
+  v.number("height", s.height, metres(0.1, 15), "Height without the coping, rounded to whole courses");
+  v.number("thickness", s.thickness, metres(0.05, 2), "Thickness from face to face");
+  v.vector("brick", s.brick, metres(0.03, 1), "Length, height and depth of a brick");
+  v.number("joint", s.joint, metres(0.002, 0.03), "Thickness of the mortar between bricks");
+  v.number("recess", s.recess, metres(0, 0.02), "How far the mortar lies behind the bricks' faces");
+  v.number("wear", s.wear, kShare, "How worn the bricks are: 0 as new, 1 chipped and askew");
   v.number("ruin", s.ruin, {.min = 0, .max = 0.95}, "Share of its height that has fallen down at most");
   v.boolean("coping", s.coping,
             "Whether a top course of bricks stands on edge, where nothing has fallen down");
@@ -157,7 +151,7 @@ void describe(Properties& v, WallParams& w) {
   v.color("mortar", w.mortar, "Colour of the mortar");
   v.color("stone", w.stone, "Colour of sills and lintels");
   v.color("paint", w.paint, "Colour of windows and doors");
-  v.number("weathering", w.weathering, {.min = 0, .max = 1}, "How much soot, damp and moss there is");
+  v.number("weathering", w.weathering, kShare, "How much soot, damp and moss there is");
   v.aspect(Aspect::look, "bricks", "mortar", "stone", "paint", "weathering");
 }
 

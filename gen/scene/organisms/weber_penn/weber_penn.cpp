@@ -1,7 +1,5 @@
 #include "organisms/weber_penn/weber_penn.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -89,11 +87,10 @@ void describe(Properties& v, StemLevel& s) {
 }
 
 void describe(Properties& v, Pruning& p) {
-  v.number("ratio", p.ratio, {.min = 0, .max = 1},
+  v.number("ratio", p.ratio, kShare,
            "How strictly branches are cut to the envelope: 0 not at all, 1 nothing stands out of it");
   v.number("width", p.width, {.min = 0, .max = 10}, "Radius of the envelope as a share of the scale");
-  v.number("width_peak", p.width_peak, {.min = 0, .max = 1},
-           "Where the envelope is widest: 0 at its foot, 1 at its top");
+  v.number("width_peak", p.width_peak, kShare, "Where the envelope is widest: 0 at its foot, 1 at its top");
   v.number("power_low", p.power_low, {.min = 0, .max = 100},
            "Bulge of the envelope below its widest place: 1 is straight, less is rounder");
   v.number("power_high", p.power_high, {.min = 0, .max = 100},
@@ -102,12 +99,12 @@ void describe(Properties& v, Pruning& p) {
 
 void describe(Properties& v, WeberPenn& t) {
   v.choice("shape", t.shape, kCrownShapes, "How long branches are by their height on the trunk");
-  v.number("cone_top", t.cone_top, {.min = 0, .max = 1},
+  v.number("cone_top", t.cone_top, kShare,
            "Length of the topmost branches as a share of the longest. Needs \"shape\": \"conical\"");
-  v.number("base_size", t.base_size, {.min = 0, .max = 1},
+  v.number("base_size", t.base_size, kShare,
            "Share of the tree's height, from the ground, that bears no branches");
-  v.number("scale", t.scale, {.min = 0.01, .max = 500, .unit = "m"}, "Height of the tree, about");
-  v.number("scale_v", t.scale_v, {.min = 0, .max = 500, .unit = "m"}, "Random change of the scale");
+  v.number("scale", t.scale, metres(0.01, 500), "Height of the tree, about");
+  v.number("scale_v", t.scale_v, metres(0, 500), "Random change of the scale");
   v.number("z_scale", t.z_scale, {.min = 0.05, .max = 20}, "Factor of the height alone");
   v.number("z_scale_v", t.z_scale_v, {.min = 0, .max = 20}, "Random change of z_scale");
   v.integer("levels", t.levels, {.min = 1, .max = 9}, "Number of levels of stems, the trunk included");
@@ -123,7 +120,7 @@ void describe(Properties& v, WeberPenn& t) {
   v.integer("base_splits", t.base_splits, {.min = 0, .max = 20},
             "Number of clones that split off above the trunk's first segment");
   v.integer("trunks", t.trunks, {.min = 1, .max = 1000}, "Number of trunks that stand beside each other");
-  v.number("trunk_spread", t.trunk_spread, {.min = 0, .max = 100, .unit = "m"},
+  v.number("trunk_spread", t.trunk_spread, metres(0, 100),
            "Distance from the middle at which trunks stand, at most");
   v.object("trunk", t.level[0], "The trunk, level 0");
   v.object("branches", t.level[1], "The branches on the trunk, level 1");
@@ -134,10 +131,10 @@ void describe(Properties& v, WeberPenn& t) {
            "its end");
   v.choice("leaf_distribution", t.leaf_distribution, kCrownShapes,
            "How leaves are distributed over the level that bears them");
-  v.number("leaf_scale", t.leaf_scale, {.min = 0.001, .max = 20, .unit = "m"}, "Length of a leaf");
+  v.number("leaf_scale", t.leaf_scale, metres(0.001, 20), "Length of a leaf");
   v.number("leaf_scale_x", t.leaf_scale_x, {.min = 0.01, .max = 10},
            "Width of a leaf as a share of its length");
-  v.number("leaf_bend", t.leaf_bend, {.min = 0, .max = 1}, "How far leaves turn to the light");
+  v.number("leaf_bend", t.leaf_bend, kShare, "How far leaves turn to the light");
   v.number("leaf_stem_length", t.leaf_stem_length, {.min = -1, .max = 10},
            "Length of a leaf's stalk as a share of the leaf's");
   v.number("leaf_quality", t.leaf_quality, {.min = 0.01, .max = 1},
@@ -187,9 +184,8 @@ class WeberPennGrower final : public Described<WeberPennParams, LoneGrower> {
   Review review() const override {
     if (Errors errors = check_guide(params.guide); !errors.empty()) return {errors};
     if (estimate_nodes(params.tree) < kMostNodes) return {check_pictures(params.appearance)};
-    return {
-        {{"", fmt::format("the tree would have more than {:.0f} nodes; fewer branches, splits or segments",
-                          kMostNodes)}}};
+    return {{error_at("", "the tree would have more than {:.0f} nodes; fewer branches, splits or segments",
+                      kMostNodes)}};
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
     const WeberPenn& form = params.tree;
