@@ -66,9 +66,12 @@ void add_check(CLI::App& app) {
                     "Writes presets of earlier versions anew with the names that properties have today");
   add_sets(command, to->common.sets);
   add_assets(command, to->common.assets);
-  command->footer(
-      "A grammar is checked as one.\n\nExamples:\n  frond check presets/*.json\n"
-      "  frond check presets/reef.json --set /film/fps=12\n  frond check --upgrade my_reef.json");
+  command->footer(R"(A grammar is checked as one.
+
+Examples:
+  frond check presets/*.json
+  frond check presets/reef.json --set /film/fps=12
+  frond check --upgrade my_reef.json)");
 }
 
 }  // namespace frond

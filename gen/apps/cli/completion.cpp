@@ -174,9 +174,11 @@ void add_completion(CLI::App& app) {
   completion->add_option("shell", *shell, "bash, zsh or fish")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
-  completion->footer("Example:\n  source <(frond completion bash)");
+  completion->footer(R"(Example:
+  source <(frond completion bash))");
   auto* man = app.add_subcommand("man", "The manual page of this program, for man(1)");
-  man->footer("Example:\n  frond man | man -l -");
+  man->footer(R"(Example:
+  frond man | man -l -)");
   man->callback([&app] { put(manual_page(app)); });
 }
 

@@ -32,7 +32,8 @@ void add_generate(CLI::App& app) {
                     "No frames: only build.ninja, which makes a film of pictures rendered elsewhere");
   command->add_option("--threads", to->threads, "How many threads (all)")->check(CLI::Range(0, 1024));
   command->add_flag("-q,--quiet", to->quiet, "No progress");
-  command->footer("Example:\n  frond generate presets/reef.json -o out/reef --frames 1-24 --set /seed=8");
+  command->footer(R"(Example:
+  frond generate presets/reef.json -o out/reef --frames 1-24 --set /seed=8)");
 }
 
 void add_textures(CLI::App& app) {
@@ -43,7 +44,8 @@ void add_textures(CLI::App& app) {
   command->add_option("-o,--out", to->out, "Folder to write to (out/textures)");
   command->add_option("--threads", to->threads, "How many threads (all)")->check(CLI::Range(0, 1024));
   command->add_flag("-q,--quiet", to->quiet, "Does not list the files");
-  command->footer("Example:\n  frond textures presets/aspen.json -o out/textures");
+  command->footer(R"(Example:
+  frond textures presets/aspen.json -o out/textures)");
 }
 
 void add_resolve(CLI::App& app) {
@@ -73,7 +75,8 @@ void add_resolve(CLI::App& app) {
                    "the light)")
       ->check(CLI::Range(0.0, 100.0));
   command->add_flag("-q,--quiet", to->quiet, "No words where all goes well");
-  command->footer("Example:\n  frond resolve presets/reef.json --film out/reef --frames 1-24");
+  command->footer(R"(Example:
+  frond resolve presets/reef.json --film out/reef --frames 1-24)");
 }
 
 void add_passes(CLI::App& app) {
@@ -90,7 +93,8 @@ void add_passes(CLI::App& app) {
   command->add_flag("--albedo", to->albedo, "Also the colours of surfaces without light, by POV-Ray");
   command->add_flag("--views", to->views,
                     "Also PNG pictures to look at: depth, normal, sun, parts, motion, albedo");
-  command->footer("Example:\n  frond passes presets/reef.json --frames 1-24 -o passes");
+  command->footer(R"(Example:
+  frond passes presets/reef.json --frames 1-24 -o passes)");
 }
 
 void add_look(CLI::App& app) {
@@ -103,8 +107,8 @@ void add_look(CLI::App& app) {
   command->add_option("--frame", to->frame, "Which frame (the last)")->check(CLI::Range(1, 1'000'000));
   command->add_flag("--views", to->views,
                     "A sheet of six composed views instead, and the property that chooses each");
-  command->footer(
-      "Example:\n  frond look presets/garden/palm.json -o palm.png --set '/scene/camera/fit=[\"all\"]'");
+  command->footer(R"(Example:
+  frond look presets/garden/palm.json -o palm.png --set '/scene/camera/fit=["all"]')");
 }
 
 void add_develop(CLI::App& app) {
@@ -125,7 +129,8 @@ void add_develop(CLI::App& app) {
   command->add_option("--vignette", to->tone.vignette, "Share of their light that the corners lose (0)")
       ->check(CLI::Range(0.0, 1.0));
   command->add_option("--depth", to->depth, "8 or 16 bits a channel (8)")->check(CLI::IsMember({8, 16}));
-  command->footer("Example:\n  frond develop frame_0001.png -o birch.png --highlights 2 --contrast 1.1");
+  command->footer(R"(Example:
+  frond develop frame_0001.png -o birch.png --highlights 2 --contrast 1.1)");
 }
 
 void add_export(CLI::App& app) {
@@ -158,9 +163,9 @@ void add_export(CLI::App& app) {
       ->check(CLI::Range(0, 4096));
   command->add_flag("--instances", to->instances, "Each organ and copy once, with its places (of a .glb)");
   command->add_flag("-q,--quiet", to->quiet, "No words where all goes well");
-  command->footer(
-      "Examples:\n  frond export presets/reef.json --frame 48 -o reef.glb\n"
-      "  frond export presets/trees/oak.json --seeds 3 -o oak.inc");
+  command->footer(R"(Examples:
+  frond export presets/reef.json --frame 48 -o reef.glb
+  frond export presets/trees/oak.json --seeds 3 -o oak.inc)");
 }
 
 void add_info(CLI::App& app) {
@@ -174,16 +179,18 @@ void add_info(CLI::App& app) {
                     "Grows it and says how high and wide each organism has become, and its stem");
   command->add_option("--frame", to->frame, "Of --sizes: in which frame (the last)")
       ->check(CLI::Range(1, 1'000'000));
-  command->footer(
-      "Examples:\n  frond info presets/reef.json --json\n  frond info presets/trees/oak.json --sizes\n"
-      "  frond info presets/garden/grammar_palm.json --sizes --frame 60");
+  command->footer(R"(Examples:
+  frond info presets/reef.json --json
+  frond info presets/trees/oak.json --sizes
+  frond info presets/garden/grammar_palm.json --sizes --frame 60)");
 }
 
 void add_files(CLI::App& app) {
   auto [command, preset] = add_command(
       app, "files", "Names all files that a preset is read from, each ended by a zero byte", list_files);
   add_preset(command, *preset);
-  command->footer("Example:\n  frond files presets/ivy/any_mesh.json | xargs -0 tar cf any_mesh.tar");
+  command->footer(R"(Example:
+  frond files presets/ivy/any_mesh.json | xargs -0 tar cf any_mesh.tar)");
 }
 
 void add_derive(CLI::App& app) {
@@ -191,7 +198,8 @@ void add_derive(CLI::App& app) {
   add_grammar(command, *to)->check(CLI::TypeValidator<int>());
   command->add_option("--format", to->format, "text or counts")->check(CLI::IsMember({"text", "counts"}));
   command->add_option("--tree", to->picture, "SVG file: which symbol came from which");
-  command->footer("Example:\n  frond derive koch.json --steps 2 --tree koch.svg");
+  command->footer(R"(Example:
+  frond derive koch.json --steps 2 --tree koch.svg)");
 }
 
 void add_turtle(CLI::App& app) {
@@ -199,9 +207,9 @@ void add_turtle(CLI::App& app) {
       add_command(app, "turtle", "Walks a grammar's word and measures the way, as JSON", walk_turtle);
   add_grammar(command, *to);
   command->add_option("--svg", to->picture, "SVG file: what the turtle draws, seen from the front");
-  command->footer(
-      "A number of steps that is not whole gives the shape on its way from one to the next.\n"
-      "Example:\n  frond turtle koch.json --steps 2.5 --svg koch.svg");
+  command->footer(R"(A number of steps that is not whole gives the shape on its way from one to the next.
+Example:
+  frond turtle koch.json --steps 2.5 --svg koch.svg)");
 }
 
 void add_plan(CLI::App& app) {
@@ -211,7 +219,8 @@ void add_plan(CLI::App& app) {
   command->add_option("-o,--out", to->out, "FILE.svg (<preset name>_plan.svg)");
   command->add_option("--seeds", to->seeds, "N: the plans of that many seeds, from the preset's on (1)")
       ->check(CLI::Range(1, 100));
-  command->footer("Example:\n  frond plan presets/garden/walled.json --seeds 4 -o plans.svg");
+  command->footer(R"(Example:
+  frond plan presets/garden/walled.json --seeds 4 -o plans.svg)");
 }
 
 void add_stand(CLI::App& app) {
@@ -221,7 +230,8 @@ void add_stand(CLI::App& app) {
   command->add_option("-o,--out", to->out, "FILE.svg or FILE.csv (<preset name>_stand.svg)");
   command->add_option("--year", to->year, "N: the year of the map and the distributions (the last)")
       ->check(CLI::NonNegativeNumber);
-  command->footer("Example:\n  frond stand presets/forest/clearing.json --year 120 -o stand.svg");
+  command->footer(R"(Example:
+  frond stand presets/forest/clearing.json --year 120 -o stand.svg)");
 }
 
 void add_catalogue(CLI::App& app) {
@@ -237,7 +247,9 @@ void add_describe(CLI::App& app) {
   command->add_option("what", to->words,
                       "A kind, a setting, a property as in tree/habit, or words; none: what there is");
   command->add_flag("--json", to->json, "For machines");
-  command->footer("Examples:\n  frond describe tree/habit\n  frond describe leaf size");
+  command->footer(R"(Examples:
+  frond describe tree/habit
+  frond describe leaf size)");
 }
 
 void add_new(CLI::App& app) {
@@ -254,9 +266,10 @@ void add_new(CLI::App& app) {
                                   "Species of a bed that is laid out by their sizes, as rose,lavender,apple")
                      ->delimiter(','));
   command->add_flag("-q,--quiet", to->quiet, "Does not say what comes next");
-  command->footer(
-      "Examples:\n  frond new my_tree --from tree\n  frond new my_reef --from presets/reef.json\n"
-      "  frond new my_garden --with rose,lavender,apple");
+  command->footer(R"(Examples:
+  frond new my_tree --from tree
+  frond new my_reef --from presets/reef.json
+  frond new my_garden --with rose,lavender,apple)");
 }
 
 void add_import(CLI::App& app) {
@@ -274,7 +287,8 @@ void add_import(CLI::App& app) {
   add_mutations(command, to->mutations);
   add_system(command, to->system);
   command->add_flag("--z-up", to->z_up, "Of a skeleton: its z is up, not its y");
-  command->footer("Example:\n  frond import plants/rose.l -o rose.json");
+  command->footer(R"(Example:
+  frond import plants/rose.l -o rose.json)");
 }
 
 void add_studio(CLI::App& app) {
@@ -290,7 +304,8 @@ void add_studio(CLI::App& app) {
                    "MB that scenes and what else is kept may take together (1024); growing takes more")
       ->check(CLI::Range(16, 1 << 20));
   add_assets(command, to->assets);
-  command->footer("Example:\n  frond studio presets/reef.json --open");
+  command->footer(R"(Example:
+  frond studio presets/reef.json --open)");
 }
 
 int run(int count, char** words) {

@@ -38,9 +38,11 @@ void add_confine(CLI::App& app) {
       ->allow_extra_args(false);
   command->add_option("program", to->words, "The program and its arguments, behind --")->required();
   command->footer(
-      "The system's own programs and libraries (/usr) can be read, too. Exit code 3: the kernel has no\n"
-      "Landlock (Linux 5.13).\n\nExample:\n  frond confine --read scene --write pictures -- povray "
-      "+Iscene/a.pov");
+      R"(The system's own programs and libraries (/usr) can be read, too. Exit code 3: the kernel has no
+Landlock (Linux 5.13).
+
+Example:
+  frond confine --read scene --write pictures -- povray +Iscene/a.pov)");
 }
 
 void add_draw(CLI::App& app) {
@@ -58,9 +60,10 @@ void add_draw(CLI::App& app) {
       ->check(CLI::Range(0.0, 50.0));
   command->add_option("--threads", to->threads, "How many threads (all)")->check(CLI::Range(0, 1024));
   command->footer(
-      "The paper is white; with --transparent only the ink is there. --size or --print says how large it "
-      "is.\n\n"
-      "Example:\n  frond draw presets/garden/palm.json --print 12cm -o palm");
+      R"(The paper is white; with --transparent only the ink is there. --size or --print says how large it is.
+
+Example:
+  frond draw presets/garden/palm.json --print 12cm -o palm)");
 }
 
 void add_frame(CLI::App& app) {
@@ -72,11 +75,14 @@ void add_frame(CLI::App& app) {
   command->add_option("size", to->size, "WIDTHxHEIGHT")->required();
   command->add_option("flags", to->flags, "Further flags of POV-Ray, behind --");
   command->footer(
-      "Killed and called again it goes on within the picture. Adds a line to .times in the folder above the\n"
-      "picture's: the frame, milliseconds of processor that it took, and its size.\n\n"
-      "FROND_THREADS is how many threads trace it (1), FROND_POVRAY names another povray, and\n"
-      "FROND_UNCONFINED=1 lets it open any file that you may open.\n\n"
-      "Example:\n  frond frame frames/frame_0001.pov frames/frame_0001.png 640x360 -- +A0.0 +AM1 +R3 -J");
+      R"(Killed and called again it goes on within the picture. Adds a line to .times in the folder above the
+picture's: the frame, milliseconds of processor that it took, and its size.
+
+FROND_THREADS is how many threads trace it (1), FROND_POVRAY names another povray, and
+FROND_UNCONFINED=1 lets it open any file that you may open.
+
+Example:
+  frond frame frames/frame_0001.pov frames/frame_0001.png 640x360 -- +A0.0 +AM1 +R3 -J)");
 }
 
 void add_film(CLI::App& app) {
@@ -97,10 +103,12 @@ void add_film(CLI::App& app) {
   command->add_option("--width", to->width, "Pixels, of each picture of a sheet at most (240)")
       ->check(CLI::Range(1, 16384));
   command->footer(
-      "It appears whole or not at all, and not where a picture is damaged. FROND_FFMPEG names another "
-      "ffmpeg.\n\n"
-      "Examples:\n  ls out/reef/frames/*.png > list\n  frond film list reef.webm --fps 12\n"
-      "  frond film list sheet.png --columns 6");
+      R"(It appears whole or not at all, and not where a picture is damaged. FROND_FFMPEG names another ffmpeg.
+
+Examples:
+  ls out/reef/frames/*.png > list
+  frond film list reef.webm --fps 12
+  frond film list sheet.png --columns 6)");
 }
 
 void add_render(CLI::App& app) {
@@ -131,16 +139,19 @@ void add_render(CLI::App& app) {
       ->expected(1, 3);
   add_sweeps(command, *to);
   command->footer(
-      "Leaves DIR/film.mp4 and DIR/contact.png, or DIR/still.png where the preset is a still. Renders only "
-      "what\nchanged: interrupted or killed at any moment and run again it goes on where it stopped, also "
-      "within a\npicture. The files made are named on stdout, all else goes to stderr.\n\n"
-      "Exit codes: 0 done, 1 could not (disk, POV-Ray), 2 wrong input, 130 interrupted. NO_COLOR=1 keeps "
-      "messages\nplain. FROND_POVRAY and FROND_FFMPEG name other programs than povray and ffmpeg.\n\n"
-      "Examples:\n  frond render presets/reef.json\n"
-      "  frond render presets/reef.json --frames 1-48 --size 320x180 --quality draft -o out/check\n"
-      "  frond render presets/reef.json --size 1280x720 --quality best --set /seed=8 -o out/reef-8\n"
-      "  frond render presets/trees/oak.json --scale 4\n"
-      "  frond render --compare out/reef out/reef-8 both.mp4");
+      R"(Leaves DIR/film.mp4 and DIR/contact.png, or DIR/still.png where the preset is a still. Renders only what
+changed: interrupted or killed at any moment and run again it goes on where it stopped, also within a
+picture. The files made are named on stdout, all else goes to stderr.
+
+Exit codes: 0 done, 1 could not (disk, POV-Ray), 2 wrong input, 130 interrupted. NO_COLOR=1 keeps messages
+plain. FROND_POVRAY and FROND_FFMPEG name other programs than povray and ffmpeg.
+
+Examples:
+  frond render presets/reef.json
+  frond render presets/reef.json --frames 1-48 --size 320x180 --quality draft -o out/check
+  frond render presets/reef.json --size 1280x720 --quality best --set /seed=8 -o out/reef-8
+  frond render presets/trees/oak.json --scale 4
+  frond render --compare out/reef out/reef-8 both.mp4)");
 }
 
 void add_sheet(CLI::App& app) {
@@ -151,12 +162,13 @@ void add_sheet(CLI::App& app) {
   add_run(command, *to);
   add_sweeps(command, *to);
   command->footer(
-      "Leaves DIR/sheet.png. Two of --sweep and --contact-seeds make a grid, the first from left to right. "
-      "Of a\nfilm it takes the last frame, or that of --frames N-N. Pictures are kept in DIR/pictures: the "
-      "next sheet\nrenders only those that it does not find there.\n\n"
-      "Examples:\n  frond sheet presets/trees/oak.json --contact-seeds 9 --size 320x240 --quality draft\n"
-      "  frond sheet presets/thicket.json --sweep /organisms/0/pitch=10:60:6 --sweep "
-      "/organisms/0/steps=2:4:3");
+      R"(Leaves DIR/sheet.png. Two of --sweep and --contact-seeds make a grid, the first from left to right. Of a
+film it takes the last frame, or that of --frames N-N. Pictures are kept in DIR/pictures: the next sheet
+renders only those that it does not find there.
+
+Examples:
+  frond sheet presets/trees/oak.json --contact-seeds 9 --size 320x240 --quality draft
+  frond sheet presets/thicket.json --sweep /organisms/0/pitch=10:60:6 --sweep /organisms/0/steps=2:4:3)");
 }
 
 void add_compare(CLI::App& app) {
@@ -169,13 +181,17 @@ void add_compare(CLI::App& app) {
                       "(out/compare.png, out/compare.mp4; with --json none)");
   command->add_flag("--json", to->json, "For machines");
   command->footer(
-      "All in steps of 255 of sRGB values: error is the root mean square difference over pixels, channels "
-      "and\nframes, maximum the greatest; share_beyond_8 is the share of pixels off by more than 8 in a "
-      "channel.\nOf films, flicker is the root mean square, over pixels and channels, of the standard "
-      "deviation over time\nof A - B. Where both are folders with frames/frame_*.png, or frame_*.png, the "
-      "figures are of those that\nboth have.\n\n"
-      "Exit codes: 0 done, 1 could not (damaged), 2 wrong input (two sizes, a picture and a film).\n\n"
-      "Examples:\n  frond compare out/reef out/reef-8 both.mp4\n  frond compare out/reef out/reef-8 --json");
+      R"(All in steps of 255 of sRGB values: error is the root mean square difference over pixels, channels and
+frames, maximum the greatest; share_beyond_8 is the share of pixels off by more than 8 in a channel.
+Of films, flicker is the root mean square, over pixels and channels, of the standard deviation over time
+of A - B. Where both are folders with frames/frame_*.png, or frame_*.png, the figures are of those that
+both have.
+
+Exit codes: 0 done, 1 could not (damaged), 2 wrong input (two sizes, a picture and a film).
+
+Examples:
+  frond compare out/reef out/reef-8 both.mp4
+  frond compare out/reef out/reef-8 --json)");
 }
 
 void add_task(CLI::App& app) {
@@ -188,9 +204,9 @@ void add_task(CLI::App& app) {
   command->add_option("work", to->work, "frames, bands or film")->required();
   command->add_option("words", to->words, "FIRST LAST CHUNK [TASK], or N [TASK]");
   command->footer(
-      "Renders the TASK-th CHUNK of frames FIRST to LAST, or the TASK-th of N bands of a still, or makes the "
-      "film of\nwhat is rendered. Without TASK it is $SLURM_ARRAY_TASK_ID. It may be run again, anywhere, at "
-      "any time, also\ntwice at once: what is finished is skipped.");
+      R"(Renders the TASK-th CHUNK of frames FIRST to LAST, or the TASK-th of N bands of a still, or makes the film of
+what is rendered. Without TASK it is $SLURM_ARRAY_TASK_ID. It may be run again, anywhere, at any time, also
+twice at once: what is finished is skipped.)");
 }
 
 void add_farm(CLI::App& app) {
@@ -218,13 +234,15 @@ void add_farm(CLI::App& app) {
   command->add_flag("--cancel", to->cancel, "Ends its jobs");
   command->add_flag("--logs", to->logs, "Prints the ends of their logs");
   command->footer(
-      "A job array of Slurm renders the frames, a job that waits for them leaves DIR/film.mp4 and "
-      "DIR/contact.png,\nor DIR/still.png, which is rendered in bands. The same call again goes on where a "
-      "farm was stopped: what is\nfinished is not rendered again. FROND_BIN, FROND_POVRAY, FROND_FFMPEG and "
-      "FROND_UNCONFINED are handed on to the\ntasks. See docs/farm.md.\n\n"
-      "Examples:\n  frond farm presets/reef.json --partition render --size 1920x1080 --quality good\n"
-      "  frond farm presets/reef.json --hosts anna,berta,clara --frames 1-48\n"
-      "  frond farm presets/reef.json --status");
+      R"(A job array of Slurm renders the frames, a job that waits for them leaves DIR/film.mp4 and DIR/contact.png,
+or DIR/still.png, which is rendered in bands. The same call again goes on where a farm was stopped: what is
+finished is not rendered again. FROND_BIN, FROND_POVRAY, FROND_FFMPEG and FROND_UNCONFINED are handed on to the
+tasks. See docs/farm.md.
+
+Examples:
+  frond farm presets/reef.json --partition render --size 1920x1080 --quality good
+  frond farm presets/reef.json --hosts anna,berta,clara --frames 1-48
+  frond farm presets/reef.json --status)");
 }
 
 void add_gallery(CLI::App& app) {
@@ -239,15 +257,17 @@ void add_gallery(CLI::App& app) {
   command->add_flag("--stale", to->stale,
                     "Renders nothing: names the pictures whose scenes are not what they show");
   command->footer(
-      "docs/gallery/pictures.txt says which there are, and which are large ones; further ones are "
-      "example-NAME, of each\nscene in docs/examples, and grammars. Interrupted and run again it goes on "
-      "where it stopped. docs/gallery.md lists\nthem with the seconds of processor that POV-Ray took, here "
-      "or where they were rendered last.\n\n"
-      "docs/gallery/scenes.txt keeps a hash of the scene of each picture as it was rendered. --stale writes "
-      "the scenes\nanew and names, a line each, the pictures whose hash is another or not there; large ones "
-      "as large/NAME. What it has\nfound it keeps in --out, so that nothing is written twice for the same "
-      "program and preset.\n\n"
-      "Examples:\n  frond gallery reef tree-oak\n  frond gallery $(frond gallery --stale)");
+      R"(docs/gallery/pictures.txt says which there are, and which are large ones; further ones are example-NAME, of each
+scene in docs/examples, and grammars. Interrupted and run again it goes on where it stopped. docs/gallery.md lists
+them with the seconds of processor that POV-Ray took, here or where they were rendered last.
+
+docs/gallery/scenes.txt keeps a hash of the scene of each picture as it was rendered. --stale writes the scenes
+anew and names, a line each, the pictures whose hash is another or not there; large ones as large/NAME. What it has
+found it keeps in --out, so that nothing is written twice for the same program and preset.
+
+Examples:
+  frond gallery reef tree-oak
+  frond gallery $(frond gallery --stale))");
 }
 
 }  // namespace frond

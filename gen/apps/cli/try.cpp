@@ -39,7 +39,8 @@ void add_try(CLI::App& app) {
   auto [command, only_print] =
       add_command(app, "try", "Opens a page in the browser to try grammars, trees and corals on", open_page);
   command->add_flag("--print", *only_print, "Opens nothing, and prints where the page is");
-  command->footer("Example:\n  frond try");
+  command->footer(R"(Example:
+  frond try)");
 }
 
 }  // namespace frond
