@@ -110,6 +110,30 @@ plane {{ z, {metres}*Frond_Unit hollow texture {{ pigment {{ rgb 0 }} finish {{ 
     return linear(mean(picture)) / 0.8
 
 
+WATER = """#version 3.7;
+#include "frond_water.inc"
+#declare Water_Ridge = 0;
+#declare Water_Backdrop = array[1]{<0.01, 0.2, 0.3, 0>};
+#declare Water_Direct = <0.37, 0.19, 0.17>;
+#declare Water_Backscatter = <0.28, 0.187, 0.174>;
+global_settings { assumed_gamma 1 ambient_light rgb 1 }
+"""
+DIRECT, BACKSCATTER, HAZE = (0.37, 0.19, 0.17), (0.28, 0.187, 0.174), (0.01, 0.2, 0.3)
+
+
+def through_water(folder, metres, lit=False):
+    """Red, green and blue of a white patch so far away that shines by itself or is lit by a strobe beside the camera;
+    0: the water without it."""
+    scene = folder / "water.pov"
+    finish = "ambient 0 diffuse 1" if lit else "ambient 0 diffuse 0 emission 1"
+    patch = (f"disc {{ {metres}*z*Frond_Unit, z, 5*Frond_Unit pigment {{ rgb 1 }} finish {{ {finish} }} }}" if metres else "")
+    strobe = f"#declare Water_Strobes = array[1]{{<0, 0, 0>}};\nWater_Strobe(z, 100, <1, 1, 1>*{metres**2 if lit else 0})\n"
+    haze = "rgb <0, 0, 0>" if lit else "rgb <0.01, 0.2, 0.3>"
+    scene.write_text(WATER + f'Water_Setting(<0, 0, 0>, {haze}, 5, y, rgb 0, 0, "")\n' + strobe + patch +
+                     "\ncamera { location 0 look_at z angle 0.5 }\n")
+    return [linear(c) for c in picture_of(scene, [], folder)[WIDTH * HEIGHT // 2 + WIDTH // 2]]
+
+
 def leaf_in_light(folder, texture, behind):
     """Red, green and blue of a leaf of one colour with the sun before it or behind it."""
     (folder / "leaf.ppm").write_bytes(b"P6 2 2 255 " + bytes([125, 150, 110] * 4))
@@ -148,6 +172,19 @@ def main():
             light = air_before(folder, metres, height, 6000)
             lost = 1 - math.exp(-math.hypot(metres, height) / 6000)
             good &= check(f"air over {metres} m", abs(light - lost) < 0.012, f"{light:.3f}, {lost:.3f} expected")
+        # Water takes of each colour its own share and adds a veil; of a strobe's light it takes on both ways.
+        for metres in (1, 2, 4, 8):
+            law = [math.exp(-c * metres) + veil * (1 - math.exp(-k * metres)) for c, k, veil in zip(DIRECT, BACKSCATTER, HAZE)]
+            seen = through_water(folder, metres)
+            good &= check(f"a white patch in water, {metres} m away", all(abs(a - b) < 0.02 * b + 0.002 for a, b in zip(seen, law)),
+                          " ".join(f"{a:.3f} ({b:.3f})" for a, b in zip(seen, law)))
+            law = [math.exp(-2 * c * metres) for c in DIRECT]
+            seen = through_water(folder, metres, lit=True)
+            good &= check("the same by strobe", all(abs(a - b) < 0.02 * b + 0.002 for a, b in zip(seen, law)),
+                          " ".join(f"{a:.3f} ({b:.3f})" for a, b in zip(seen, law)))
+        seen = through_water(folder, 0)
+        good &= check("endless water shows its backdrop", all(abs(a - b) < 0.03 * b + 0.002 for a, b in zip(seen, HAZE)),
+                      " ".join(f"{a:.3f}" for a in seen))
         # Light that comes through a leaf has lost blue and is greener; before the sun the leaf is as it was.
         for name, plain, lit in [("tree", 'Tree_Leaf("leaf.png",1) Plant_Luster(0.4,0)', 'Tree_Lit("leaf.png",1,0.4,1,0,0)'),
                                  ("copy", "Copy_Picture(F,<0,1,1>,0.4,0)", "Copy_Lit(F,<0,1,1>,0.4,0,1)")]:

@@ -42,6 +42,7 @@ constexpr std::pair<std::string_view, std::string_view> kLike[] = {
     // land and what is built
     {"hill mountain valley slope terrain", "hills relief far mountain"},
     {"water lake river brook sea ocean", "pond stream underwater water"},
+    {"flash torch flashlight headlight spotlight", "strobe"},
     {"stone boulder pebble gravel", "rock pebbles"},
     {"fence lattice wire", "trellis"},
     {"pot bowl jar planter", "vase"},

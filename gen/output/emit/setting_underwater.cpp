@@ -5,6 +5,7 @@
 
 #include "core/frame_name.h"
 #include "core/linear.h"
+#include "draw/eyes.h"
 #include "emit/setting_parts.h"
 #include "images/caustics.h"
 #include "settings/settings.h"
@@ -34,6 +35,23 @@ Result<std::vector<Picture>> caustics(const Scene& scene, double time) {
   return std::vector<Picture>{{caustics_name(scene, time), std::move(*bytes)}};
 }
 
+/// Of sunlit water as the sheets of light and the surface take it, as text.
+struct WaterColors {
+  std::string near, surface;
+};
+
+WaterColors water_colors(const Water& water, const Daylight& light, float exposed) {
+  if (!water.type) {
+    exposed *= static_cast<float>(water.daylight);
+    std::string near = color_text(exposed == 1 ? water.near : seen_color(exposed * linear(water.near)));
+    return {near, near};
+  }
+  // Both are lighter than the veil at the horizon; at the surface no daylight is lost yet.
+  Vec3 near = 1.5f * light.fog;
+  Vec3 shallow = water_optics(*water.type, 0).veil / water_optics(*water.type, water.depth).veil;
+  return {color_text(seen_color(near)), color_text(seen_color(near * shallow))};
+}
+
 std::string backdrop_text(const Daylight& light) {
   std::string text = fmt::format("#declare Water_Backdrop = array[{}]{{", light.backdrop.size());
   for (const BackdropStop& stop : light.backdrop) {
@@ -43,22 +61,61 @@ std::string backdrop_text(const Daylight& light) {
   return text + "};\n";
 }
 
+/// What is declared before the macros that read it, where the water is of a type or the day not bright.
+std::string optics_text(const Water& water, const Daylight& light, Vec3 eye) {
+  std::string text;
+  auto declare = [&](std::string_view name, const std::string& value) {
+    text += fmt::format("#declare Water_{} = {};\n", name, value);
+  };
+  if (water.daylight != 1) declare("Day", number_text(water.daylight));
+  if (!water.type) {
+    if (water.daylight != 1) declare("Lit", vector_text(Vec3(static_cast<float>(water.daylight))));
+    return text;
+  }
+  WaterOptics optics = water_optics(*water.type, water.depth);
+  declare("Lit", vector_text(light.sunlight));
+  declare("Direct", vector_text(optics.direct));
+  declare("Backscatter", vector_text(optics.backscatter));
+  constexpr double kUnderSurface = 0.5;  // metres, at least, that the camera is
+  if (water.depth > 0) declare("Depth", number_text(std::max(water.depth, eye.y + kUnderSurface)));
+  return text;
+}
+
+/// The lamps that go with the camera.
+std::string strobe_text(const Strobe& strobe, const Scene& scene, double time, Vec3 exposed) {
+  constexpr float kAbove = 0.2f;  // metres over the lens
+  Eye eye = eye_at(scene, time);
+  auto aside = static_cast<float>(strobe.count > 1 ? strobe.apart / 2 : 0);
+  Vec3 right = glm::cross(eye.ahead, eye.up), above = eye.at + kAbove * eye.up;
+  std::string text = fmt::format("#declare Water_Strobes = array[{}]{{", strobe.count);
+  for (int i = 0; i < strobe.count; ++i)
+    text += (i > 0 ? "," : "") + direction_text(above + (i > 0 ? aside : -aside) * right);
+  auto power = static_cast<float>(strobe.power * strobe.reach * strobe.reach / strobe.count);
+  Vec3 light = exposed * power * kSunAtSurface * linear(strobe.color);
+  return text + "};\n" + call_text("Water_Strobe", look_text(scene, time), strobe.angle, vector_text(light)) +
+         '\n';
+}
+
 /// Its macros take metres, in POV-Ray's axes.
 std::string water_text(const Scene& scene, double time) {
   const auto& water = scene.setup.block<Water>();
   std::string eye = eye_text(scene, time), look = look_text(scene, time);
   auto exposed = static_cast<float>(std::exp2(scene.setup.camera.stops()));
-  std::string near = color_text(exposed == 1 ? water.near : seen_color(exposed * linear(water.near)));
-  std::string sun = direction_text(water.sun);
   Daylight light = drawn_daylight(scene.setup);
-  std::string text = globals_text("Water") + backdrop_text(light);
+  WaterColors colors = water_colors(water, light, exposed);
+  std::string sun = direction_text(water.sun);
+  double contrast = caustic_contrast(water);
+  std::string text = globals_text("Water") + backdrop_text(light) +
+                     optics_text(water, light, scene.setup.camera.location.at(time));
   append_call(text, "Water_Setting", eye, light_text(light.fog), light.fade, sun, light_text(light.sunlight),
-              water.caustics, '"' + caustics_name(scene, time) + '"');
+              contrast * water.caustics, '"' + caustics_name(scene, time) + '"');
   text += '\n';
+  if (water.strobe) text += strobe_text(*water.strobe, scene, time, exposed * white_balance(water));
   if (scene.film.transparent()) return text;
-  if (water.shafts > 0) text += call_text("Water_Shafts", eye, look, near, sun, water.shafts) + '\n';
+  if (double shafts = contrast * water.daylight * water.shafts; shafts > 0)
+    text += call_text("Water_Shafts", eye, look, colors.near, sun, shafts) + '\n';
   if (water.particles > 0) text += call_text("Water_Particles", eye, look, water.particles) + '\n';
-  return text + call_text("Water_Surface", eye, near);
+  return text + call_text("Water_Surface", eye, colors.surface);
 }
 
 void append_stones(std::string& text, const PovSpace& space, const SeaFloor& floor) {

@@ -8,7 +8,25 @@
 
 namespace frond {
 
+void describe(Properties& v, Strobe& s) {
+  v.integer("count", s.count, {.min = 1, .max = 2}, "1: one above the camera; 2: one on each side of it");
+  v.number("apart", s.apart, {.min = 0, .max = 10, .unit = "m"}, "Distance between two");
+  v.number("power", s.power, {.min = 0, .max = 100},
+           "Brightness that all together give a white surface at `reach` in clear water; 1: as the sun does "
+           "at the surface");
+  v.number("reach", s.reach, {.min = 0.1, .max = 20, .unit = "m"},
+           "Distance at which they give that; beyond, light falls off with the square of the distance, and "
+           "the water takes of it, out and back");
+  v.number("angle", s.angle, {.min = 1, .max = 170, .unit = "degrees"},
+           "Width of the beam, whose edge is soft: 100 a strobe with a diffuser, 15 a torch");
+  v.color("color", s.color, "Colour of its light");
+}
+
 void describe(Properties& v, Water& w) {
+  v.choice("jerlov", w.type, kWaterTypes,
+           "Jerlov's optical type of the water: each colour fades with distance, and with `depth`, by its "
+           "measured coefficients, and the veil's colour follows. `near`, `deep` and `visibility` do nothing "
+           "then");
   v.color("near", w.near, "Colour that everything fades to with distance");
   v.color("deep", w.deep, "Colour of the depth below the horizon");
   v.number("visibility", w.visibility, {.min = 0.5, .max = 1000, .unit = "m"},
@@ -22,6 +40,14 @@ void describe(Properties& v, Water& w) {
   v.number("shafts", w.shafts, {.min = 0, .max = 1}, "How strong the beams of light in the water are");
   v.integer("particles", w.particles, {.min = 0, .max = 1000},
             "Number of specks that drift before the camera");
+  v.number("daylight", w.daylight, {.min = 0, .max = 1}, "Share of the daylight that there is; 0 at night");
+  v.number("fill", w.fill, {.min = 0, .max = 4},
+           "How much light the water scatters to what faces aside or down, as a factor; more lightens shaded "
+           "sides");
+  v.number("white_balance", w.balance, {.min = 0, .max = 1},
+           "How far the camera makes up for the colour of the daylight at `depth`, with `jerlov`: 0 set to "
+           "the light at the surface, 1 to a white card at that depth");
+  v.object("strobe", w.strobe, "A diver's flashes or torch, which go with the camera");
 }
 
 namespace {
@@ -46,6 +72,31 @@ std::vector<BackdropStop> water_backdrop(Vec3 fog, Vec3 near) {
           {1, 4.0f * near + 0.25f}};
 }
 
+/// Its light goes over from horizon to zenith as photographs of open water do: by eye.
+std::vector<BackdropStop> veil_backdrop(Vec3 veil) {
+  return {{0, veil},           {0.06, 1.2f * veil}, {0.14, 1.6f * veil},
+          {0.28, 2.3f * veil}, {0.52, 3.3f * veil}, {1, 4.5f * veil}};
+}
+
+/// The light in water of a type: all of its colours follow from the water.
+void light_by_type(Daylight& light, const Water& water) {
+  WaterOptics optics = water_optics(*water.type, water.depth);
+  constexpr float kAbove = 0.8f;  // of the sky, by eye
+  constexpr float kVeil = 0.1f;   // of the light on a level white surface, where all is scattered: by eye
+  Vec3 veil = kVeil * (kSunAtSurface * light.sun.y + kAbove) * optics.veil;
+  light.sunlight = kSunAtSurface * optics.passed;
+  light.above = kAbove * optics.passed;
+  light.aside = veil;
+  light.below = 0.15f * veil;
+  light.zenith = seen_color(2.0f * veil);
+  light.horizon = seen_color(veil);
+  light.fog = veil;
+  light.backdrop = veil_backdrop(veil);
+  light.fade = 1 / static_cast<double>(optics.direct.g);
+  light.fill = {
+      .above = 0.5f * optics.passed, .aside = veil, .below = 0.3f * veil, .eye = 0.3f * optics.passed};
+}
+
 /// The water scatters: from above most, from all sides, a little from below. `stops`: of exposure.
 Daylight water_light(const Water& water, double stops) {
   // Kd of clear ocean water, Jerlov's type IB, at 620, 540 and 460 nm: what a metre takes of the light.
@@ -53,9 +104,8 @@ Daylight water_light(const Water& water, double stops) {
   Vec3 left = glm::exp(-static_cast<float>(water.depth) * kTaken);
   Vec3 near = linear(water.near), tint = near / std::max({near.x, near.y, near.z});
   // All shares from here on are by eye.
-  constexpr Vec3 kSurface = 2.25f * Vec3(1.00f, 0.98f, 0.88f);
-  Daylight light{.sun = glm::normalize(water.sun), .sunlight = kSurface * left, .soft = true};
-  light.brightest = kSurface.r;
+  Daylight light{.sun = glm::normalize(water.sun), .sunlight = kSunAtSurface * left, .soft = true};
+  light.brightest = kSunAtSurface.r;
   light.above = 0.8f * (0.4f * tint + 0.6f) * left;
   light.aside = 0.26f * (0.6f * tint + 0.4f);
   light.below = 0.1f * tint;
@@ -69,7 +119,10 @@ Daylight water_light(const Water& water, double stops) {
                 .eye = 0.2f * tint + 0.2f};
   light.ground = kSand;
   light.fade = water.visibility;
-  auto exposed = static_cast<float>(std::exp2(stops));
+  if (water.type) light_by_type(light, water);
+  for (Vec3* scattered : {&light.aside, &light.below, &light.fill.aside, &light.fill.below})
+    *scattered *= static_cast<float>(water.fill);
+  Vec3 exposed = static_cast<float>(water.daylight * std::exp2(stops)) * white_balance(water);
   for (Vec3* part : {&light.sunlight, &light.above, &light.aside, &light.below, &light.fog, &light.fill.above,
                      &light.fill.aside, &light.fill.below, &light.fill.eye})
     *part *= exposed;
@@ -81,6 +134,22 @@ Daylight water_light(const Water& water, double stops) {
 int stone_detail(Quality quality) { return quality == Quality::best ? 5 : 4; }
 
 }  // namespace
+
+Vec3 white_balance(const Water& water) {
+  if (!water.type || water.balance <= 0) return Vec3(1);
+  Vec3 white = water_optics(*water.type, water.depth).passed;
+  return glm::pow(white.g / white, Vec3(static_cast<float>(water.balance)));
+}
+
+double caustic_contrast(const Water& water) {
+  if (!water.type) return 1;
+  // Waves focus the sun some metres below them; farther down more and more of its beams overlap, and their
+  // contrast falls off with the root of their number. It is lost with the light that is scattered, too, of
+  // which half goes on within four degrees (Petzold 1972) and still counts to the beam.
+  constexpr double kFocus = 3, kAside = 0.5;  // metres; of what is scattered
+  return std::sqrt(kFocus / std::max(kFocus, water.depth)) *
+         std::exp(-kAside * water_optics(*water.type, 0).scattering * water.depth);
+}
 
 SeaFloor::SeaFloor(const Floor& floor, Quality quality, double reach, Seed seed)
     : loose_(floor), seed_(seed) {
