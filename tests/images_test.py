@@ -134,6 +134,16 @@ def through_water(folder, metres, lit=False):
     return [linear(c) for c in picture_of(scene, [], folder)[WIDTH * HEIGHT // 2 + WIDTH // 2]]
 
 
+def surface_over_water(folder, metres):
+    """Red, green and blue of the surface so far above a camera that looks up, without the water's own light."""
+    scene = folder / "surface.pov"
+    scene.write_text(WATER.replace("<0.01, 0.2, 0.3, 0>", "<0, 0, 0, 0>") + f"#declare Water_Depth = {metres};\n" + """Water_Setting(<0, 0, 0>, rgb <0, 0, 0>, 5, y, rgb 0, 0, "")
+Water_Surface(<0, 0, 0>, rgb <0.1, 0.1, 0.1>)
+camera { location 0 look_at y sky z angle 0.1 }
+""")
+    return [linear(c) for c in picture_of(scene, [], folder)[WIDTH * HEIGHT // 2 + WIDTH // 2]]
+
+
 def leaf_in_light(folder, texture, behind):
     """Red, green and blue of a leaf of one colour with the sun before it or behind it."""
     (folder / "leaf.ppm").write_bytes(b"P6 2 2 255 " + bytes([125, 150, 110] * 4))
@@ -185,6 +195,11 @@ def main():
         seen = through_water(folder, 0)
         good &= check("endless water shows its backdrop", all(abs(a - b) < 0.03 * b + 0.002 for a, b in zip(seen, HAZE)),
                       " ".join(f"{a:.3f}" for a in seen))
+        # So it does of the sky that stands in the surface, where one looks up.
+        near, far = (surface_over_water(folder, metres) for metres in (4, 6))
+        fades = [-math.log(b / a) / 2 for a, b in zip(near, far)]
+        good &= check("the surface fades with depth", all(abs(a - b) < 0.04 * b for a, b in zip(fades, DIRECT)),
+                      " ".join(f"{a:.3f}" for a in fades))
         # Light that comes through a leaf has lost blue and is greener; before the sun the leaf is as it was.
         for name, plain, lit in [("tree", 'Tree_Leaf("leaf.png",1) Plant_Luster(0.4,0)', 'Tree_Lit("leaf.png",1,0.4,1,0,0)'),
                                  ("copy", "Copy_Picture(F,<0,1,1>,0.4,0)", "Copy_Lit(F,<0,1,1>,0.4,0,1)")]:

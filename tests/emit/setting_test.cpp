@@ -110,6 +110,9 @@ TEST(Water, WhiteBalanceMakesADeepWhiteCardWhite) {
   Vec3 card = light.sunlight / kSunAtSurface;
   EXPECT_NEAR(card.r / card.g, 1, 1e-3);
   EXPECT_NEAR(card.b / card.g, 1, 1e-3);
+  Vec3 lamps = white_balance({.type = WaterType::IB, .depth = 8, .balance = 1}).lamps;
+  EXPECT_GT(lamps.r, 1.5f * lamps.g) << "what a lamp shows is too red";
+  EXPECT_NEAR(lamps.b, lamps.g, 0.3f);
 }
 
 TEST(Water, AtNightThereIsNoLightButThatOfTheTorch) {

@@ -110,7 +110,7 @@ std::string water_text(const Scene& scene, double time) {
   append_call(text, "Water_Setting", eye, light_text(light.fog), light.fade, sun, light_text(light.sunlight),
               contrast * water.caustics, '"' + caustics_name(scene, time) + '"');
   text += '\n';
-  if (water.strobe) text += strobe_text(*water.strobe, scene, time, exposed * white_balance(water));
+  if (water.strobe) text += strobe_text(*water.strobe, scene, time, exposed * white_balance(water).lamps);
   if (scene.film.transparent()) return text;
   if (double shafts = contrast * water.daylight * water.shafts; shafts > 0)
     text += call_text("Water_Shafts", eye, look, colors.near, sun, shafts) + '\n';

@@ -122,7 +122,7 @@ Daylight water_light(const Water& water, double stops) {
   if (water.type) light_by_type(light, water);
   for (Vec3* scattered : {&light.aside, &light.below, &light.fill.aside, &light.fill.below})
     *scattered *= static_cast<float>(water.fill);
-  Vec3 exposed = static_cast<float>(water.daylight * std::exp2(stops)) * white_balance(water);
+  Vec3 exposed = static_cast<float>(water.daylight * std::exp2(stops)) * white_balance(water).daylight;
   for (Vec3* part : {&light.sunlight, &light.above, &light.aside, &light.below, &light.fog, &light.fill.above,
                      &light.fill.aside, &light.fill.below, &light.fill.eye})
     *part *= exposed;
@@ -135,10 +135,12 @@ int stone_detail(Quality quality) { return quality == Quality::best ? 5 : 4; }
 
 }  // namespace
 
-Vec3 white_balance(const Water& water) {
-  if (!water.type || water.balance <= 0) return Vec3(1);
-  Vec3 white = water_optics(*water.type, water.depth).passed;
-  return glm::pow(white.g / white, Vec3(static_cast<float>(water.balance)));
+WhiteBalance white_balance(const Water& water) {
+  if (!water.type || water.balance <= 0) return {};
+  WaterOptics optics = water_optics(*water.type, water.depth);
+  Vec3 share(static_cast<float>(water.balance));
+  return {glm::pow(optics.passed.g / optics.passed, share),
+          glm::pow(optics.metered.g / optics.metered, share)};
 }
 
 double caustic_contrast(const Water& water) {

@@ -39,8 +39,12 @@ struct Water {
 /// Brightness that the sun gives a white surface under the water's surface, before exposure: by eye.
 inline constexpr Vec3 kSunAtSurface = 2.25f * Vec3(1.00f, 0.98f, 0.88f);
 
-/// By which the camera's white balance scales each colour of all light; of a type alone.
-Vec3 white_balance(const Water& water);
+/// By which the camera's white balance scales each colour; 1 without a type. A sensor sees some red in the
+/// blue of deep water, so that it need not raise its red by as much as a screen's, which lamps show.
+struct WhiteBalance {
+  Vec3 daylight{1}, lamps{1};
+};
+WhiteBalance white_balance(const Water& water);
 
 /// Share of the contrast of caustics and light beams that is left at the water's depth; 1 without a type.
 double caustic_contrast(const Water& water);

@@ -92,19 +92,27 @@ Vec3 color_of(const Spectrum& spectrum) {
   return glm::max(color, Vec3(kLeast * std::max({color.r, color.g, color.b})));
 }
 
-/// Attenuation of light of a spectrum by a water, as each band sees it on average over kRange.
-Vec3 attenuation_of(const Spectrum& spectrum, const WaterSpectrum& water) {
-  Vec3 attenuation(0);
+/// What each band sees of a spectrum.
+Vec3 seen_of(const Spectrum& spectrum) {
+  Vec3 seen(0);
   for (int c = 0; c < 3; ++c) {
-    double before = 0, after = 0;
+    double sum = 0, all = 0;
     for (std::size_t i = 0; i < kWavelengths; ++i) {
       double off = (kFirst + kStep * static_cast<double>(i) - kBands[c]) / kBandwidth;
-      double seen = std::exp(-off * off / 2) * spectrum[i];
-      before += seen, after += seen * std::exp(-water.attenuation[i] * kRange);
+      double sensitivity = std::exp(-off * off / 2);
+      sum += sensitivity * spectrum[i], all += sensitivity;
     }
-    attenuation[c] = static_cast<float>(std::log(before / after) / kRange);
+    seen[c] = static_cast<float>(sum / all);
   }
-  return attenuation;
+  return seen;
+}
+
+/// Attenuation of light of a spectrum by a water, as each band sees it on average over kRange.
+Vec3 attenuation_of(const Spectrum& spectrum, const WaterSpectrum& water) {
+  Spectrum after;
+  for (std::size_t i = 0; i < kWavelengths; ++i)
+    after[i] = spectrum[i] * std::exp(-water.attenuation[i] * kRange);
+  return glm::log(seen_of(spectrum) / seen_of(after)) / static_cast<float>(kRange);
 }
 
 }  // namespace
@@ -121,6 +129,7 @@ WaterOptics water_optics(WaterType type, double depth) {
           .backscatter = attenuation_of(veil, water),
           .veil = color_of(veil),
           .passed = color_of(daylight),
+          .metered = seen_of(daylight),
           .scattering = water.scattering[kGreen]};
 }
 

@@ -28,7 +28,8 @@ struct WaterOptics {
   Vec3 direct{0};         ///< attenuation of the light that comes from things, 1/m
   Vec3 backscatter{0};    ///< 1/m by which the veil closes: veil * (1 - exp(-backscatter * distance))
   Vec3 veil{0};           ///< b E / c, the colour of endless water; 1 where all light is scattered
-  Vec3 passed{1};         ///< share of the daylight that is left at the depth
+  Vec3 passed{1};         ///< colour of the daylight that is left at the depth, white above
+  Vec3 metered{1};        ///< the same as the camera's sensor sees it, by which its white balance goes
   double scattering = 0;  ///< at 550 nm, 1/m
 };
 
