@@ -43,7 +43,8 @@ Alone alone(const fs::path& file, int count) {
 /// ones are still small.
 double length_of(const Alone& grown, const std::string& symbol) {
   std::vector<double> lengths;
-  for (const Specimen& specimen : grown.scene.specimens) {
+  for (const Specimen& planted : grown.scene.specimens) {
+    const Specimen specimen = **developed(planted, 0);
     std::vector<Vec3> sides;
     for (const Prototype& prototype : specimen.model.prototypes) {
       Bounds box;

@@ -304,6 +304,24 @@ const WrongPreset kWrongValues[] = {
       "\"cups\"?",
       "2:44: /organisms/1/place/upright: found 2; expected a number from 0 to 1",
       "2:53: /organisms/1/place/on: found the text \"ledge\"; expected a list"}},
+    {"Fruit whose dates are not in order",
+     R"({"organisms": [{"kind": "tree", "season": {"fruit": {"set": [0.42, 0.36]}}},
+  {"kind": "colonized", "season": {"fruit": {"fall": [0.2, 0.3]}}},
+  {"kind": "weber_penn", "season": {"fruit": {"ripe": [0.7, 2.1]}}}]})",
+     {},
+     {"1:64: /organisms/0/season/fruit/set: found the first at 0.42, after the last at 0.36; expected the "
+      "first date, then the last; dates in the next year are above 1",
+      "2:52: /organisms/1/season/fruit/fall: found 0.2 to 0.3; expected later dates than those of \"ripe\", "
+      "0.68 to 0.74; dates in the next year are above 1",
+      "3:57: /organisms/2/season/fruit/ripe/1: found 2.1; expected a number from 0 to 2 years"}},
+    {"Fruit at the places of an organ that is not there",
+     R"({"organisms": [{"kind": "tree", "season": {"fruit": {"organ": "A"}}},
+  {"kind": "plant", "grammar": {"axiom": "F~L"}, "organs": [{"symbol": "L"}], "season": {"fruit": {"organ": "A"}}}]})",
+     {},
+     {"1:64: /organisms/0/season/fruit/organ: found \"A\"; expected none, since only the kind \"plant\" has "
+      "organs of its own",
+      "2:109: /organisms/1/season/fruit/organ: found \"A\"; expected the symbol of an organ of this plant: "
+      "L"}},
     {"Colonies that cannot grow",
      R"({"organisms": [{"kind": "massive", "edge": 0.1},
   {"kind": "columnar", "accretion": {"edge": 0.2}},

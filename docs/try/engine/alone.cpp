@@ -1,3 +1,4 @@
+#include "appearance/fruiting.h"
 #include "organisms/colony.h"
 #include "organisms/kinds.h"
 
@@ -20,6 +21,12 @@ float Surroundings::border(Vec3) const { return Territories::kOpen; }
 float Surroundings::light(Vec3) const { return 1; }
 
 Surroundings::Hold Surroundings::hold(Vec3 at, float) const { return {{at.x, 0, at.z}, {0, 1, 0}}; }
+
+// Nor are there files of meshes.
+
+Errors load_fruit_model(const NamedFile& file, Fruiting&) {
+  return {{file.path.string(), "is a mesh, which is not read here"}};
+}
 
 // Nothing is grown in a world here.
 

@@ -87,7 +87,7 @@ OrganShapes shapes_of(const Look& look, const Prototype& prototype, double count
     const OrganPart& part = prototype.parts[k];
     Surface shape = part.tissue == Tissue::dew ? Surface{} : part.surface;  // which from there is not seen
     if (static_cast<double>(shape.triangle.size()) > each) {
-      if (k == 0 && detail.pictures && look.leaves && !part.pictures.empty()) {
+      if (k == 0 && part.tissue == Tissue::leaf && detail.pictures && look.leaves && !part.pictures.empty()) {
         shape = card_of(shape, std::clamp(static_cast<int>(each / 2), 1, kMostRows));
         made.card = true;
       } else if (is_leaf(part.tissue)) {

@@ -235,7 +235,7 @@ std::size_t Palette::organ(const Look& look, const Prototype& organ, std::size_t
   made.gloss = tissue == Tissue::fruit ? 0.6 : 0.2, made.leaf = is_leaf(tissue);
   made.cutout = card && options_.texture > 0;
   if (const auto& shown = organ.parts[part].pictures; laid && color < shown.size()) {
-    if (!look.leaves)
+    if (!look.leaves || tissue != Tissue::leaf)
       return keep(shown[color], made, name, shown[color],
                   [=, picture = shown[color]] { return worn(look, picture); })
           .material;

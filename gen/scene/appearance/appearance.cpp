@@ -181,11 +181,17 @@ Vec3 mean(const std::vector<Color>& colors) {
   return colors.empty() ? Vec3(0.2f) : sum / static_cast<float>(colors.size());
 }
 
+void set_season(Appearance& appearance, const std::optional<Seasons>& season) {
+  appearance.season = season;
+  if (season && season->fruit)
+    std::ranges::move(fruit_drawings(*season->fruit), std::back_inserter(appearance.look.pictures));
+}
+
 Appearance tree_appearance(const TreeAppearance& tree, bool leafy) {
   Appearance appearance;
   appearance.look.branches = {.bark = tree.bark, .coat = tree.coat};
   if (leafy) appearance.look.leaves = leaves_of(tree);
-  appearance.season = tree.season;
+  set_season(appearance, tree.season);
   appearance.motion = {tree.growth, tree.wave, {}, 1};
   appearance.motion.wood.emplace();
   appearance.variation = tree.bark.variation;

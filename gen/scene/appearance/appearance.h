@@ -115,6 +115,9 @@ struct Appearance {
   double variation = 0;           ///< variation of brightness between individuals, as a share
 };
 
+/// Gives it the course of the year, with the pictures that its fruit wears.
+void set_season(Appearance& appearance, const std::optional<Seasons>& season);
+
 /// Appearance and motion of a tree whose leaves are pictures.
 struct TreeAppearance {
   Bark bark;                     ///< of branches drawn as sweeps

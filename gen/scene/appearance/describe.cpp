@@ -363,6 +363,7 @@ void describe(Properties& v, Seasons& s) {
   v.list("autumn", s.autumn, Count{1, 16},
          "Colours that leaves go through in autumn; some stop at the first, others reach the last");
   v.object("blossom", s.blossom, "Flowers where leaves stand; without it there are none");
+  v.object("fruit", s.fruit, "Fruit where leaves stand; without it there is none");
   v.object("flowering", s.flowering,
            "When the flowers and fruits of the plant itself are there; without it they stay all year");
   v.aspect(Aspect::look, "young", "autumn");

@@ -27,6 +27,7 @@ void describe(Properties& v, BarkImage& b);
 void describe(Properties& v, BarkCoat& c);
 void describe(Properties& v, Blossom& b);
 void describe(Properties& v, Flowering& f);
+void describe(Properties& v, Fruiting& f);
 void describe(Properties& v, Seasons& s);
 void describe(Properties& v, TreeAppearance& d);
 

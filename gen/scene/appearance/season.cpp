@@ -99,6 +99,19 @@ Flight flight(Vec3 from, Quat turn, float fallen, Seed own, const GroundAt& grou
           smooth_step(0.0f, kLooseTo, fallen)};
 }
 
+/// What is heavy: straight down, and then lying on its side. `half`: of its width.
+Flight dropped(Vec3 from, Quat turn, float fallen, float half, Seed own, const GroundAt& ground) {
+  constexpr float kLiesFrom = 0.85f;  // of the fall
+  const auto yaw = static_cast<float>(own.child("lies").range(0, 2 * kPi));
+  const float high = ground ? from.y - static_cast<float>(ground(from.x, from.z)) : std::max(from.y, 0.0f);
+  const float down = std::max(0.0f, high - half) * fallen * fallen;
+  const Quat lying =
+      glm::angleAxis(yaw, Vec3(0, 1, 0)) * glm::angleAxis(static_cast<float>(kPi / 2), Vec3(1, 0, 0));
+  return {from - Vec3(0, down, 0),
+          glm::normalize(glm::slerp(turn, lying, smooth_step(kLiesFrom, 1.0f, fallen))),
+          smooth_step(0.0f, 0.1f, fallen)};
+}
+
 /// Builds the organs of a moment.
 class Moment {
  public:
@@ -107,6 +120,12 @@ class Moment {
       : full_(full), prototypes_(prototypes), s_(seasons), year_(seasons.at.at(time)), ground_(ground) {
     for (std::size_t p = 0; p < prototypes.size(); ++p)
       if (prototypes[p].name == kBlossom) blossom_ = static_cast<int>(p);
+    for (std::size_t p = 0; seasons.fruit && p < prototypes.size(); ++p) {
+      if (prototypes[p].name == kFruit) fruit_ = static_cast<int>(p);
+      if (prototypes[p].name == kFruitStalk) stalk_ = static_cast<int>(p);
+    }
+    if (fruit_ < 0) return;
+    for (const Vec3& at : full.position) middle_ += at / static_cast<float>(full.size());
   }
 
   Organs make(Seed seed) {
@@ -115,6 +134,13 @@ class Moment {
       const Prototype& shape = prototypes_[full_.prototype[i]];
       bool leaf = !shape.parts.empty() && shape.parts[0].tissue == Tissue::leaf;
       Seed own = seed.child("leaf", full_.id[i]).child(full_.prototype[i]);
+      // Two sprigs at one place are one that bears.
+      const bool again =
+          i > 0 && full_.id[i] == full_.id[i - 1] && full_.position[i] == full_.position[i - 1];
+      const bool bears =
+          fruit_ >= 0 && !again && (s_.fruit->organ.empty() ? leaf : shape.name == s_.fruit->organ);
+      if (bears && own.child("bears").unit() < s_.fruit->share) add_crops(i, own.child("fruit"));
+      if (bears && !leaf && !s_.flowering) continue;  // it only tells the place
       if (!leaf && s_.flowering && shape.name != kBlossom)
         add_own_flower(i, own);
       else if (!leaf || s_.evergreen)
@@ -129,7 +155,8 @@ class Moment {
   }
 
  private:
-  void add(std::size_t i, std::size_t prototype, const Flight& at, Vec3 scale, std::int32_t color) {
+  void add(std::size_t i, std::size_t prototype, const Flight& at, Vec3 scale, std::int32_t color,
+           std::optional<std::uint32_t> id = {}) {
     out_.prototype.push_back(static_cast<std::uint16_t>(prototype));
     out_.position.push_back(at.position);
     out_.turn.push_back(at.turn);
@@ -137,7 +164,7 @@ class Moment {
     out_.node.push_back(full_.node[i]);
     out_.birth.push_back(full_.birth[i]);
     out_.color.push_back(color);
-    out_.id.push_back(full_.id[i]);
+    out_.id.push_back(id.value_or(full_.id[i]));
     out_.loose.push_back(at.loose);
     if (!full_.supple.empty()) out_.supple.push_back(full_.supple[i] * (1 - at.loose));
   }
@@ -199,19 +226,74 @@ class Moment {
     add(i, static_cast<std::size_t>(blossom_), at, Vec3(wide * size), 0);
   }
 
+  /// All fruit of a place: that of this year, and what still hangs or lies of those before.
+  void add_crops(std::size_t i, Seed own) {
+    const auto year = static_cast<std::int64_t>(std::floor(year_));
+    const double years = fruit_years(*s_.fruit, s_.drift);
+    for (std::int64_t crop = year; year_ - static_cast<double>(crop) < years; --crop)
+      for (int k = 0; k < s_.fruit->cluster; ++k)
+        add_fruit(i, k, year_ - static_cast<double>(crop), own.child(static_cast<std::uint64_t>(crop)));
+  }
+
+  void add_fruit(std::size_t i, int k, double age, Seed cluster) {
+    const Fruiting& f = *s_.fruit;
+    const Seed own = cluster.child("one", static_cast<std::uint64_t>(k));
+    const FruitState state = fruit_state(f, age, s_.drift, own.child(0));
+    if (state.size < static_cast<double>(kLeast) || state.lain >= 1) return;
+    const Vec3 from = full_.position[i];
+    const Vec3 start =
+        f.organ.empty() ? Vec3(own.child(1).range(-1, 1), own.child(2).range(0, 1), own.child(3).range(-1, 1))
+                        : full_.turn[i] * Vec3(0, 1, 0);
+    const Vec3 along = fruit_direction(f, k, state.size, glm::normalize(start + Vec3(0, 0.01f, 0)), cluster);
+    const Vec3 light = from - middle_ + Vec3(0, 0.3f * glm::length(from - middle_) + 0.01f, 0);
+    const Quat turn = fruit_turn(along, light);
+    const double long_by = smooth_step(0.0, 0.25, state.size) * own.child(4).range(0.85, 1.15);
+    const auto stalk = static_cast<float>(f.stalk * long_by);
+    const auto size =
+        static_cast<float>(f.size * state.size * (1 + f.size_variation * own.child(5).range(-1, 1)));
+    const auto fallen = static_cast<float>(state.fallen);
+    const auto id = static_cast<std::uint32_t>(own.bits());
+    if (stalk_ >= 0 && fallen <= 0 && stalk > 0) {
+      const float thick = std::clamp(0.04f * size, 0.0007f, 0.004f);
+      add(i, static_cast<std::size_t>(stalk_), {from, turn, 0}, Vec3(thick, stalk, thick), 0, id);
+    }
+    Flight at{from + along * stalk, turn, 0};
+    float left = 1;
+    if (fallen > 0) {
+      at = dropped(at.position, turn, fallen, 0.5f * size * static_cast<float>(f.width), own, ground_);
+      const bool lies = ground_ && f.lies > 0;
+      left -=
+          lies ? smooth_step(0.7f, 1.0f, static_cast<float>(state.lain)) : smooth_step(0.6f, 1.0f, fallen);
+    }
+    if (left > 0) add(i, static_cast<std::size_t>(fruit_), at, Vec3(size * left), fruit_color(f, state), id);
+  }
+
   const Organs& full_;
   const std::vector<Prototype>& prototypes_;
   const Seasons& s_;
   double year_;
   const GroundAt& ground_;
-  int blossom_ = -1;
+  int blossom_ = -1, fruit_ = -1, stalk_ = -1;  // among the prototypes
+  Vec3 middle_{0};                              // of the crown
   Organs out_;
 };
+
+/// Appends the prototype of the flowers.
+void add_blossom(std::vector<Prototype>& prototypes, const Blossom& b) {
+  BladeShape petal;
+  petal.width = 0.85, petal.widest = 0.62, petal.stalk = 0, petal.round = 0.85, petal.fold = radians(8.0);
+  Surface petals = corolla_surface(petal, b.petals, radians(62.0));
+  for (Vec3& p : petals.position) p *= 0.5f;
+  prototypes.push_back({std::string(kBlossom),
+                        {{Tissue::petal, std::move(petals)}, {Tissue::heart, heart_surface(0.08, 0.5, 12)}},
+                        {b.color},
+                        b.heart});
+}
 
 }  // namespace
 
 void add_seasons(Prototype& leaf, const Seasons& seasons) {
-  if (leaf.parts.empty() || leaf.parts[0].tissue != Tissue::leaf) return;
+  if (leaf.parts.empty() || leaf.parts[0].tissue != Tissue::leaf || !leaf.parts[0].pictures.empty()) return;
   std::vector<LeafTint> own;
   for (const Color& c : leaf.colors) own.push_back({c, c, c});
   leaf.summer = leaf.colors.size();
@@ -226,17 +308,16 @@ LeafLook with_seasons(LeafLook look, const Seasons& seasons) {
   return look;
 }
 
-void add_blossom(std::vector<Prototype>& prototypes, const Seasons& seasons) {
-  if (!seasons.blossom) return;
-  const Blossom& b = *seasons.blossom;
-  BladeShape petal;
-  petal.width = 0.85, petal.widest = 0.62, petal.stalk = 0, petal.round = 0.85, petal.fold = radians(8.0);
-  Surface petals = corolla_surface(petal, b.petals, radians(62.0));
-  for (Vec3& p : petals.position) p *= 0.5f;
-  prototypes.push_back({std::string(kBlossom),
-                        {{Tissue::petal, std::move(petals)}, {Tissue::heart, heart_surface(0.08, 0.5, 12)}},
-                        {b.color},
-                        b.heart});
+void add_seasonal(std::vector<Prototype>& prototypes, const Seasons& seasons) {
+  if (seasons.blossom) add_blossom(prototypes, *seasons.blossom);
+  if (seasons.fruit) add_fruit(prototypes, *seasons.fruit);
+}
+
+Errors season_faults(const std::optional<Seasons>& seasons, const std::vector<std::string>& organs) {
+  if (!seasons || !seasons->fruit) return {};
+  Errors errors = fruit_faults(*seasons->fruit, organs);
+  for (Error& error : errors) error.where = "/season/fruit" + error.where;
+  return errors;
 }
 
 LeafState leaf_state(const Seasons& s, double year, Seed leaf) {

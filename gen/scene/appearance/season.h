@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "appearance/fruiting.h"
 #include "appearance/leaf_look.h"
 #include "core/curve.h"
 #include "core/seed.h"
@@ -43,15 +44,21 @@ struct Seasons {
   Color young{0.66f, 0.76f, 0.30f};
   std::vector<Color> autumn{{0.85f, 0.66f, 0.14f}, {0.80f, 0.42f, 0.10f}, {0.50f, 0.30f, 0.16f}};
   std::optional<Blossom> blossom;
+  std::optional<Fruiting> fruit;
   std::optional<Flowering> flowering;  ///< of organs that are no leaves; none: they are there all year
 };
 
-/// Appends the colours of other seasons to a leaf's own; does nothing for other organs.
+/// Appends the colours of other seasons to a leaf's own; does nothing for other organs, and for leaves of
+/// pictures, whose look has them: see with_seasons().
 void add_seasons(Prototype& leaf, const Seasons& seasons);
 LeafLook with_seasons(LeafLook look, const Seasons& seasons);
 
-/// Appends the prototype of the flowers, if there are any.
-void add_blossom(std::vector<Prototype>& prototypes, const Seasons& seasons);
+/// Appends the prototypes of the flowers and of the fruit, if there are any.
+void add_seasonal(std::vector<Prototype>& prototypes, const Seasons& seasons);
+
+/// What is wrong with the season of something with organs of these symbols, pointers below the organism's
+/// own; nothing where there is none.
+Errors season_faults(const std::optional<Seasons>& seasons, const std::vector<std::string>& organs = {});
 
 /// A leaf at one moment of its life.
 struct LeafState {
@@ -68,13 +75,13 @@ double leaf_area_share(const Seasons& seasons, double year);
 using GroundAt = std::function<double(double, double)>;
 
 /// Changes leaves in full summer state, with the prototypes made by the functions above, to their state at a
-/// time in seconds: unfolded, coloured, falling, lying or gone; adds the flowers. Smooth in time; each moment
-/// is computed alone.
+/// time in seconds: unfolded, coloured, falling, lying or gone; adds the flowers and the fruit. Smooth in
+/// time; each moment is computed alone.
 void in_season(Organs& organs, const std::vector<Prototype>& prototypes, const Seasons& seasons, double time,
                Seed seed, const GroundAt& ground = {});
 
-/// Changes the leaves of a whole model to their state at a time in seconds, and adds its flowers, as the
-/// other in_season() does with organs.
+/// Changes the leaves of a whole model to their state at a time in seconds, and adds its flowers and
+/// fruit, as the other in_season() does with organs.
 void in_season(Model& model, const Seasons& seasons, double time, Seed seed, const GroundAt& ground = {});
 
 }  // namespace frond

@@ -8,7 +8,7 @@ void put_leaves(Model& model, const std::vector<LeafSite>& sites, const TreeAppe
   const LeafLook& look = appearance.leaves;
   model.prototypes = leaf_prototypes(leaves_of(appearance));
   bool both = model.prototypes.size() > 1;
-  if (appearance.season) add_blossom(model.prototypes, *appearance.season);
+  if (appearance.season) add_seasonal(model.prototypes, *appearance.season);
   Organs& o = model.organs;
   o.reserve(sites.size());
   for (std::size_t i = 0; i < sites.size(); ++i) {

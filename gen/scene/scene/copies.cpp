@@ -30,6 +30,8 @@ Seed copy_seed(const Organism& organism, int which) {
   return Seed{index < seeds.size() ? static_cast<std::uint64_t>(seeds[index]) : index + 1};
 }
 
+bool is_fruit(const Prototype& organ) { return organ.name == kFruit || organ.name == kFruitStalk; }
+
 /// Branches of a coral as tubes with rounded ends; u of their `uv` is how young they are, 1 at tips.
 Surface skin_tubes(Skeleton bones, float grain, double young_length) {
   set_tip_distances(bones);
@@ -109,7 +111,7 @@ Seed model_seed(const Organism& organism, int which) {
 std::optional<Seasons> copy_seasons(const Organism& organism, const Film& film) {
   std::optional<Seasons> seasons = organism.grower->appearance().season;
   if (film.frames <= 1 || !seasons || seasons->at.constant()) return std::nullopt;
-  if (seasons->evergreen && !seasons->blossom && !seasons->flowering) return std::nullopt;
+  if (seasons->evergreen && !seasons->blossom && !seasons->fruit && !seasons->flowering) return std::nullopt;
   return seasons;
 }
 
@@ -243,12 +245,17 @@ std::vector<CopyPart> copy_parts(const Look& look, const Model& model, const Cop
         add(CopyPart::Kind::wood, k++, 0, std::move(bark));
     }
   }
-  CopyDetail each = detail;
+  // Fruit takes nothing from the leaves, and a small share beside them.
+  constexpr double kOfFruit = 8;
+  CopyDetail each = detail, fruit = detail;
   std::size_t shapes = 0;
-  for (const Prototype& prototype : model.prototypes) shapes += prototype.parts.size();
+  for (const Prototype& prototype : model.prototypes)
+    if (!is_fruit(prototype)) shapes += prototype.parts.size();
   each.leaves /= static_cast<double>(std::max<std::size_t>(1, shapes));
+  fruit.leaves /= kOfFruit;
   for (std::size_t p = 0; p < model.prototypes.size(); ++p) {
-    std::vector<CopyPart> merged = merged_organs(model, p, each, blocks, now);
+    std::vector<CopyPart> merged =
+        merged_organs(model, p, is_fruit(model.prototypes[p]) ? fruit : each, blocks, now);
     for (std::size_t k = 0; k < merged.size(); ++k)
       if (!merged[k].surface.triangle.empty())
         parts.push_back(

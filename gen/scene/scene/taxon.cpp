@@ -34,8 +34,8 @@ bool is_called(const Taxon& taxon, std::string_view name) {
 
 void describe(Properties& v, TaxonPart& p) {
   v.text("organ", p.organ,
-         "The symbol of the first organism's organ that is it, or `leaf` or `blossom` of a tree; empty: it "
-         "is none of its own");
+         "The symbol of the first organism's organ that is it, or `leaf`, `blossom` or `fruit` of a tree; "
+         "empty: it is none of its own");
   v.number("share", p.share, {.min = 0.01, .max = 1},
            "Share of that organ's length that it has, where the organ is a sprig of several");
   v.vector("size", p.size, kLengths, "Smallest and largest length or diameter that is usual");

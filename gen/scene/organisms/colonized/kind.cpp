@@ -82,6 +82,7 @@ class ColonizedGrower final : public Described<ColonizedParams, LoneGrower> {
   }
   Review review() const override {
     Errors errors = check_colonized(params);
+    if (errors.empty()) errors = season_faults(params.appearance.season);
     return {errors.empty() ? check_pictures(params.appearance) : errors};
   }
   Result<SizeEstimate> estimate_size(Seed) const override {

@@ -4,7 +4,6 @@
 
 #include "appearance/describe.h"
 #include "appearance/picture_bounds.h"
-#include "geometry/mesh_file.h"
 #include "grammar/figure.h"
 #include "grammar/kind.h"
 #include "organisms/asking.h"
@@ -12,6 +11,7 @@
 #include "organisms/grammar_faults.h"
 #include "organisms/kinds.h"
 #include "organisms/plant/cpfg_plant.h"
+#include "organisms/plant/organ_mesh.h"
 #include "organisms/plant/organ_prototypes.h"
 #include "organisms/plant/plant.h"
 
@@ -41,16 +41,20 @@ void describe(Properties& v, OrganParams& o) {
   v.required("symbol");
   v.choice("shape", o.shape, kOrganShapes, "What the organ is");
   v.file(
-      "file", o.file, [&](const NamedFile& file) { return load_unit_mesh(file, o.mesh); },
+      "file", o.file, [&](const NamedFile& file) { return load_organ_mesh(file, o); },
       "A mesh (OBJ, PLY, STL, GLB), named as seen from the preset's folder: y is up, the middle of its "
-      "underside is its foot, its longest side becomes size. Needs \"shape\": \"obj\"",
+      "underside is its foot, its longest side becomes size; a picture that a material of an OBJ file names "
+      "(map_Kd) is "
+      "worn by texture coordinates, and colors, where given, multiply it. Needs \"shape\": \"obj\"",
       o.shape == OrganShape::obj);
   v.number("size", o.size, metres(0.00001, 1000), "Length; a parameter in the grammar multiplies it");
   v.list("colors", o.colors, Count{1, 64},
          "Colours of the organ; the turtle's colour index picks one, round and round. Needs shape other than "
          "picture");
+  v.given("colors", o.own_colors);
   v.color("second", o.second,
-          "Colour of a flower's heart, a leaf's veins, a bud's calyx, a frond's stem or an obj at its axis. "
+          "Colour of a flower's heart, a leaf's veins, a bud's calyx, a frond's stem, an obj at its axis or "
+          "what of it wears no picture. "
           "Needs shape other than picture");
   v.number("width", o.width, {.min = 0.02, .max = 3}, "Width as a share of the length");
   v.number("widest", o.widest, {.min = 0.05, .max = 0.95},
@@ -195,6 +199,9 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
             .sunk = placed ? 0.0f : 1.0f};
   }
   Review review() const override {
+    std::vector<std::string> symbols;
+    for (const OrganParams& organ : params.organs) symbols.push_back(organ.symbol);
+    if (Errors errors = season_faults(params.season, symbols); !errors.empty()) return {errors};
     if (params.grammar.cpfg) return {cpfg_faults(params)};
     if (params.grammar.vary)
       return {{{"/grammar/vary",
@@ -221,7 +228,11 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
     if (Errors errors = check_asking(*grammar, params.height); !errors.empty()) return {errors};
     if (grammar->asks && params.by_steps)
       return {{{"/by_steps", "found true, but the grammar asks ?E, which is answered once; expected false"}}};
-    return {pointed(params.grammar, size_faults(*grammar)), pointed(params.grammar, grammar->warnings)};
+    Errors warnings = pointed(params.grammar, grammar->warnings);
+    for (std::size_t i = 0; i < params.organs.size(); ++i)
+      if (!params.organs[i].mesh_note.empty())
+        warnings.push_back({fmt::format("/organs/{}/file", i), params.organs[i].mesh_note});
+    return {pointed(params.grammar, size_faults(*grammar)), std::move(warnings)};
   }
   Result<SizeEstimate> estimate_size(Seed seed) const override {
     if (params.grammar.cpfg) return cpfg_size(params);
@@ -238,9 +249,13 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
     Appearance appearance;
     appearance.look.branches = {.bark = params.bark};
     appearance.look.blades = params.blades;
-    for (const OrganParams& organ : params.organs)
-      if (organ.picture) appearance.look.organs.push_back(*organ.picture);
-    appearance.season = params.season;
+    for (const OrganParams& organ : params.organs) {
+      std::ranges::move(organ_mesh_drawings(organ), std::back_inserter(appearance.look.pictures));
+      if (organ.picture)
+        appearance.look.organs.push_back(params.season ? with_seasons(*organ.picture, *params.season)
+                                                       : *organ.picture);
+    }
+    set_season(appearance, params.season);
     appearance.motion = {params.growth, params.wave, params.food, 1};
     appearance.variation = params.bark.variation;
     return appearance;

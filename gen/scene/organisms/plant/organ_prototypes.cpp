@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "foliage/dew.h"
+#include "organisms/plant/organ_mesh.h"
 
 namespace frond {
 
@@ -99,20 +100,13 @@ int variant_count(const OrganParams& p) {
   return grown || curled ? p.variants : 1;
 }
 
-/// Gives a mesh without `uv` that of a petal: 0 on its axis, 1 at its rim.
-void set_uv(Surface& mesh) {
-  if (!mesh.uv.empty()) return;
-  for (const Vec3& at : mesh.position)
-    mesh.uv.emplace_back(std::min(1.0f, 2 * glm::length(Vec2(at.x, at.z))), 0.5f);
-}
-
 /// Leaves and the stem that bears them, where there are any.
 void add_twig(Prototype& to, TwigParts parts, Tissue stem) {
   if (!parts.blades.position.empty()) to.parts.push_back({Tissue::leaf, std::move(parts.blades)});
   if (!parts.stem.position.empty()) to.parts.push_back({stem, std::move(parts.stem)});
 }
 
-Prototype prototype(const OrganParams& p, Seed seed) {
+Prototype prototype(const OrganParams& p, const std::optional<Seasons>& season, Seed seed) {
   Prototype made{p.symbol, {}, p.colors, p.second};
   switch (p.shape) {
     case OrganShape::leaf:
@@ -138,11 +132,11 @@ Prototype prototype(const OrganParams& p, Seed seed) {
         add_twig(made, std::move(*parts), Tissue::heart);
       break;
     case OrganShape::obj:
-      made.parts.push_back({Tissue::petal, p.mesh});
-      set_uv(made.parts.back().surface);
+      add_organ_mesh(made, p);
       break;
     case OrganShape::picture:
-      if (p.picture) made = leaf_prototype(*p.picture, 2 * kPi * seed.unit());
+      if (p.picture)
+        made = leaf_prototype(season ? with_seasons(*p.picture, *season) : *p.picture, 2 * kPi * seed.unit());
       made.name = p.symbol;
       break;
     case OrganShape::berry:
@@ -174,7 +168,8 @@ Errors organ_faults(const OrganParams& organ) {
 std::vector<Prototype> organ_prototypes(const PlantParams& params) {
   std::vector<Prototype> list;
   for (const OrganParams& organ : params.organs)
-    for (int i = 0; i < variant_count(organ); ++i) list.push_back(prototype(organ, variant_seed(organ, i)));
+    for (int i = 0; i < variant_count(organ); ++i)
+      list.push_back(prototype(organ, params.season, variant_seed(organ, i)));
   if (params.season)
     for (Prototype& organ : list) add_seasons(organ, *params.season);
   list.push_back({"@O", {{Tissue::skin, ball_surface()}}, params.bark.colors, params.bark.second});
@@ -184,7 +179,7 @@ std::vector<Prototype> organ_prototypes(const PlantParams& params) {
   for (Vec3& p : flat.position) p.y = (p.y - 0.5f) * kDiscThickness;
   set_normals(flat);
   list.push_back({"@o", {{Tissue::skin, std::move(flat)}}, params.bark.colors, params.bark.second});
-  if (params.season) add_blossom(list, *params.season);
+  if (params.season) add_seasonal(list, *params.season);
   return list;
 }
 

@@ -14,11 +14,23 @@ namespace frond {
 
 enum class OrganShape { leaf, petal, flower, bud, berry, ball, obj, sprig, frond, picture, grammar };
 
+/// A picture that the mesh of an organ wears.
+struct OrganSkin {
+  std::shared_ptr<const std::string> picture;  ///< bytes of the file
+  std::string name;                            ///< of that file, for messages
+  Color tint;                                  ///< what the mesh's file multiplies it by
+  std::vector<char> worn;                      ///< of each triangle, whether it wears the picture
+  Color mean{};                                ///< of the picture, without the tint
+};
+
 /// The shape of an organ that the grammar names.
 struct OrganParams {
-  std::string symbol;  ///< its name in the grammar
-  FileName file;       ///< of an `obj`: relative to the preset's folder
-  Surface mesh;        ///< content of the file, one unit long
+  std::string symbol;             ///< its name in the grammar
+  FileName file;                  ///< of an `obj`: relative to the preset's folder
+  Surface mesh;                   ///< content of the file, one unit long
+  std::optional<OrganSkin> skin;  ///< the picture that the file's materials name
+  std::string mesh_note;          ///< what of the file is not drawn as its maker may think
+  bool own_colors = false;        ///< whether the preset gives `colors`
   OrganShape shape = OrganShape::leaf;
   double size = 0.1;  ///< metres long; multiplied by the organ's parameter in the grammar
   std::vector<Color> colors{{0.30f, 0.50f, 0.14f}};  ///< selected cyclically by the turtle's colour index

@@ -81,6 +81,7 @@ class TreeGrower final : public Described<TreeParams, Grower>, public Perennial 
     if (Errors errors = check_guide(params.guide); !errors.empty()) return {errors};
     if (axes_of(*axes_of_guide(params.guide)).size() > 1)
       return {{{"/guide", "forks; expected one line: the stem of a tree that grows for light has one"}}};
+    if (Errors errors = season_faults(params.season); !errors.empty()) return {errors};
     return {check_pictures(params.coat, params.leaves.picture, "/leaves/picture/pixels")};
   }
   std::shared_ptr<const Grower> coarse(double share) const override {
@@ -105,7 +106,7 @@ class TreeGrower final : public Described<TreeParams, Grower>, public Perennial 
     Appearance appearance;
     appearance.look.branches = {.bark = params.bark, .coat = params.coat};
     if (params.leaves.size > 0 && params.leaves.picture) appearance.look.leaves = pictured_leaves(params);
-    appearance.season = params.season;
+    set_season(appearance, params.season);
     appearance.motion = {params.growth, params.wave, {}, 1, true};
     const Wood& wood = params.species.wood;
     appearance.motion.wood = SwayWood{wood.density, wood.stiffness, wood.leaf_mass};

@@ -204,7 +204,7 @@ void add_sprigs(Model& model, const Standing& now, const GrownTree& tree,
   const Foliage& leaves = params.leaves;
   model.prototypes = sprig_prototypes(params);
   bool both = model.prototypes.size() > 1;
-  if (params.season) add_blossom(model.prototypes, *params.season);
+  if (params.season) add_seasonal(model.prototypes, *params.season);
   std::size_t colors = leaves.picture ? leaves.picture->colors.size() : leaves.colors.size();
   Organs& o = model.organs;
   for (std::size_t i = 0; i < now.size(); ++i) {

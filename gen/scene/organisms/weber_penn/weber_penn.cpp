@@ -183,6 +183,7 @@ class WeberPennGrower final : public Described<WeberPennParams, LoneGrower> {
   }
   Review review() const override {
     if (Errors errors = check_guide(params.guide); !errors.empty()) return {errors};
+    if (Errors errors = season_faults(params.appearance.season); !errors.empty()) return {errors};
     if (estimate_nodes(params.tree) < kMostNodes) return {check_pictures(params.appearance)};
     return {{error_at("", "the tree would have more than {:.0f} nodes; fewer branches, splits or segments",
                       kMostNodes)}};
