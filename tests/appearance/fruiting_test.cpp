@@ -157,12 +157,12 @@ TEST(Fruiting, OfTwoYearsHangsTogetherWhereItRipensInTheNext) {
 
 TEST(Fruiting, BearsWhereTheFlowersWere) {
   TreeParams params = apple();
-  params.season->blossom = Blossom{.share = 0.3};
+  params.season->blossom = Blossom{.share = 0.3, .lasts = 0.2};
   params.season->fruit->share = 0.2;
   const Model full = grow_tree(params, Seed{3});
   Model spring = full;
   Seasons seasons = *params.season;
-  seasons.at = 0.3;
+  seasons.at = 0.36;  // all are open, and none has fallen
   in_season(spring, seasons, 0, Seed{1}, level);
   const std::vector<Vec3> fruit = [&] {
     std::vector<Vec3> places;

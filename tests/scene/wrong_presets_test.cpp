@@ -306,19 +306,21 @@ const WrongPreset kWrongValues[] = {
       "2:53: /organisms/1/place/on: found the text \"ledge\"; expected a list"}},
     {"Fruit whose dates are not in order",
      R"({"organisms": [{"kind": "tree", "season": {"fruit": {"set": [0.42, 0.36]}}},
-  {"kind": "colonized", "season": {"fruit": {"fall": [0.2, 0.3]}}},
-  {"kind": "weber_penn", "season": {"fruit": {"ripe": [0.7, 2.1]}}}]})",
+  {"kind": "colonized", "season": {"fruit": {"fall": [0.2, 0.3]}}}]})",
      {},
-     {"1:64: /organisms/0/season/fruit/set: found the first at 0.42, after the last at 0.36; expected the "
+     {"1:61: /organisms/0/season/fruit/set: found the first at 0.42, after the last at 0.36; expected the "
       "first date, then the last; dates in the next year are above 1",
-      "2:52: /organisms/1/season/fruit/fall: found 0.2 to 0.3; expected later dates than those of \"ripe\", "
-      "0.68 to 0.74; dates in the next year are above 1",
-      "3:57: /organisms/2/season/fruit/ripe/1: found 2.1; expected a number from 0 to 2 years"}},
+      "2:54: /organisms/1/season/fruit/fall: found 0.2 to 0.3; expected later dates than those of \"ripe\", "
+      "0.68 to 0.74; dates in the next year are above 1"}},
+    {"Fruit that is ripe in the year after the next",
+     R"({"organisms": [{"kind": "weber_penn", "season": {"fruit": {"ripe": [0.7, 2.1]}}}]})",
+     {},
+     {"1:74: /organisms/0/season/fruit/ripe/1: found 2.1; expected a number from 0 to 2 years"}},
     {"Fruit at the places of an organ that is not there",
      R"({"organisms": [{"kind": "tree", "season": {"fruit": {"organ": "A"}}},
   {"kind": "plant", "grammar": {"axiom": "F~L"}, "organs": [{"symbol": "L"}], "season": {"fruit": {"organ": "A"}}}]})",
      {},
-     {"1:64: /organisms/0/season/fruit/organ: found \"A\"; expected none, since only the kind \"plant\" has "
+     {"1:63: /organisms/0/season/fruit/organ: found \"A\"; expected none, since only the kind \"plant\" has "
       "organs of its own",
       "2:109: /organisms/1/season/fruit/organ: found \"A\"; expected the symbol of an organ of this plant: "
       "L"}},
