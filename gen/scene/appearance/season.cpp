@@ -132,15 +132,15 @@ class Moment {
     out_.reserve(full_.size());
     for (std::size_t i = 0; i < full_.size(); ++i) {
       const Prototype& shape = prototypes_[full_.prototype[i]];
-      bool leaf = !shape.parts.empty() && shape.parts[0].tissue == Tissue::leaf;
+      const bool named = fruit_ >= 0 && !s_.fruit->organ.empty() && shape.name == s_.fruit->organ;
+      const bool leaf = !named && !shape.parts.empty() && shape.parts[0].tissue == Tissue::leaf;
       Seed own = seed.child("leaf", full_.id[i]).child(full_.prototype[i]);
       // Two sprigs at one place are one that bears.
       const bool again =
           i > 0 && full_.id[i] == full_.id[i - 1] && full_.position[i] == full_.position[i - 1];
-      const bool bears =
-          fruit_ >= 0 && !again && (s_.fruit->organ.empty() ? leaf : shape.name == s_.fruit->organ);
+      const bool bears = fruit_ >= 0 && !again && (named || (leaf && s_.fruit->organ.empty()));
       if (bears && own.child("bears").unit() < s_.fruit->share) add_crops(i, own.child("fruit"));
-      if (bears && !leaf && !s_.flowering) continue;  // it only tells the place
+      if (named && !s_.flowering) continue;  // it only tells the place
       if (!leaf && s_.flowering && shape.name != kBlossom)
         add_own_flower(i, own);
       else if (!leaf || s_.evergreen)
