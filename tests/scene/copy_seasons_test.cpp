@@ -92,5 +92,25 @@ TEST(CopySeasons, TheYearOfTheSceneIsThatOfSeasonsWithoutTheirOwn) {
   EXPECT_EQ(at(2).at(2), 0.7);
 }
 
+TEST(CopySeasons, FruitHangsOnCopiesFromNearAndFromAfar) {
+  const std::string ripe =
+      R"("evergreen": true, "fruit": {"share": 0.4, "ripe": [0.5, 0.55], "fall": [0.8, 0.85]}})";
+  const Organism bearing = sown_tree(R"({"at": 0.7, )" + ripe), bare = sown_tree(R"({"at": 0.3, )" + ripe);
+  const Look look = bearing.grower->appearance().look;
+  auto areas = [&](const Organism& o, int level) {
+    const Model model = *grow_copy(o, 0, false);
+    double leaves = 0, fruit = 0;
+    for (const CopyPart& part : copy_parts(look, model, kLevels[level]))
+      if (part.kind == CopyPart::Kind::organ)
+        (model.prototypes[part.which].name == kFruit ? fruit : leaves) += area(part.surface);
+    return std::pair(leaves, fruit);
+  };
+  for (int level = 0; level < kLevelCount; ++level) {
+    EXPECT_GT(areas(bearing, level).second, 0) << level;
+    EXPECT_EQ(areas(bare, level).second, 0) << level;
+  }
+  EXPECT_TRUE(copy_seasons(sown_tree("{" + kYear + ", " + ripe), Film{.frames = 48}));
+}
+
 }  // namespace
 }  // namespace frond
