@@ -155,6 +155,18 @@ TEST(Fruiting, OfTwoYearsHangsTogetherWhereItRipensInTheNext) {
   EXPECT_LT(*std::ranges::min_element(both.sizes), 0.75 * *std::ranges::max_element(both.sizes));
 }
 
+TEST(Fruiting, IsTheSameEachTimeAndOtherInAnotherYear) {
+  const TreeParams params = apple();
+  const Model full = grow_tree(params, Seed{3});
+  const Crop one = crop_at(params, full, 0.7), again = crop_at(params, full, 0.7),
+             next = crop_at(params, full, 1.7);
+  EXPECT_EQ(one.sizes, again.sizes);
+  EXPECT_EQ(one.axes, again.axes);
+  EXPECT_EQ(one.colors, again.colors);
+  EXPECT_EQ(one.sizes.size(), next.sizes.size()) << "the same places bear";
+  EXPECT_NE(one.sizes, next.sizes);
+}
+
 TEST(Fruiting, BearsWhereTheFlowersWere) {
   TreeParams params = apple();
   params.season->blossom = Blossom{.share = 0.3, .lasts = 0.2};
