@@ -44,8 +44,8 @@ void describe(Properties& v, OrganParams& o) {
       "file", o.file, [&](const NamedFile& file) { return load_organ_mesh(file, o); },
       "A mesh (OBJ, PLY, STL, GLB), named as seen from the preset's folder: y is up, the middle of its "
       "underside is its foot, its longest side becomes size; a picture that a material of an OBJ file names "
-      "(map_Kd) is "
-      "worn by texture coordinates, and colors, where given, multiply it. Needs \"shape\": \"obj\"",
+      "(map_Kd) is worn by texture coordinates, and colors, where given, multiply it. Needs \"shape\": "
+      "\"obj\"",
       o.shape == OrganShape::obj);
   v.number("size", o.size, metres(0.00001, 1000), "Length; a parameter in the grammar multiplies it");
   v.list("colors", o.colors, Count{1, 64},
