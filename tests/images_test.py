@@ -226,6 +226,13 @@ def main():
         bright = [mean([picture[i] for i in shaded]) for picture in (ours, theirs)]
         good &= check("light is POV-Ray's own", distance(ours, theirs) < 10, f"{distance(ours, theirs):.1f}")
         good &= check("so are shadows", abs(bright[0]/bright[1] - 1) < 0.25, f"{bright[0]:.1f} against {bright[1]:.1f}")
+        # Copies of a trunk are as bright next to the camera as farther away, and all over.
+        trunks = render("tests/presets/trunks.json", [1], folder / "trunks")[1]
+        sides = [[linear(sum(trunks[row*WIDTH + column])/3) for row in range(12, 25) for column in columns]
+                 for columns in (range(11, 20), range(47, 49))]
+        near, away = (sum(side)/len(side) for side in sides)
+        good &= check("a near trunk is as bright as another", abs(near/away - 1) < 0.3, f"{near:.3f} against {away:.3f}")
+        good &= check("and all over", min(sides[0]) > 0.6*near, f"{min(sides[0]):.3f}")
         # A frame with a shutter is the mean, in light, of its exposures, and what moves leaves a trail.
         blurred = folder / "blurred"
         sets = ["/scene/camera/shutter=1", "/scene/camera/shutter_samples=3"]

@@ -17,6 +17,9 @@ ModelSummary summary_of(Seed seed) {
   Look look;
   look.branches.bark = Bark{};
   summary.surfels = surfels_of(look, model);
+  std::vector<int> halvings(summary.surfels.size());
+  for (std::size_t i = 0; i < halvings.size(); i += 9) halvings[i] = 3;
+  refine(summary.surfels, halvings, look, model);
   summary.parts = {{{0, 3}, {}}, {{2, -1}, {0, 1, 12}}, {{2, 0}, {1}}};
   return summary;
 }

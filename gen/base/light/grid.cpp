@@ -19,6 +19,12 @@ void sum_up(std::uint32_t& to, std::uint32_t more) {
   std::atomic_ref<std::uint32_t>(to).fetch_add(more, std::memory_order_relaxed);
 }
 
+void face(Facing& all, Facing facing) {
+  std::atomic_ref<Facing> looks(all);
+  if ((looks.load(std::memory_order_relaxed) & facing) != facing)
+    looks.fetch_or(facing, std::memory_order_relaxed);
+}
+
 }  // namespace
 
 double SoftLight::away(Vec3 at) const {
@@ -61,11 +67,16 @@ Vec3 SoftLight::Level::radiance(std::size_t i) const {
           std::bit_cast<float>(color[2][i])};
 }
 
-SoftLight::SoftLight(std::vector<Eye> eyes, const Bounds& bounds, double pixels, double unit)
-    : eyes_(std::move(eyes)), pixels_(pixels) {
+SoftLight SoftLight::bare(std::vector<Eye> eyes, const Bounds& bounds, double pixels, double unit) {
+  SoftLight grid(std::move(eyes), pixels);
   // Cells cover more pixels where a level would hold too many of them, as for a large picture or a long
   // flight.
-  while (!lay_levels(bounds, unit)) pixels_ *= 1.1;
+  while (!grid.lay_levels(bounds, unit)) grid.pixels_ *= 1.1;
+  return grid;
+}
+
+SoftLight::SoftLight(std::vector<Eye> eyes, const Bounds& bounds, double pixels, double unit)
+    : SoftLight(bare(std::move(eyes), bounds, pixels, unit)) {
   for (Level& level : levels_) {
     level.center = (Vec3(level.low) + 0.5f * Vec3(level.size)) * level.cell;
     level.half = 0.5f * Vec3(level.size) * level.cell;
@@ -79,8 +90,7 @@ SoftLight::Size SoftLight::estimate_size(std::vector<Eye> eyes, const Bounds& bo
                                          double unit, const std::function<float(Vec2)>& height, float tall,
                                          std::span<const Eye> seen_by) {
   constexpr double kAsked = 5000;  // columns of a grid, about
-  SoftLight grid(std::move(eyes), pixels);
-  while (!grid.lay_levels(bounds, unit)) grid.pixels_ *= 1.1;
+  SoftLight grid = bare(std::move(eyes), bounds, pixels, unit);
   Size size;
   for (std::size_t k = 0; k < grid.levels_.size(); ++k) {
     const Level& level = grid.levels_[k];
@@ -132,10 +142,13 @@ std::size_t SoftLight::level_for(double cell) const {
   return k;
 }
 
-float SoftLight::cell_at(Vec3 at) const { return levels_[level_for(fit(away(at)))].cell; }
+float SoftLight::cell_at(Vec3 at, double within) const {
+  return levels_[level_for(fit(away(at) - within))].cell;
+}
 
-void SoftLight::add(Vec3 at, float area, Vec3 albedo, Facing facing, float bulk, float wide) {
+void SoftLight::add(Vec3 at, float area, Vec3 albedo, Facing facing, float bulk, float wide, Cells cells) {
   for (Level& level : levels_) {
+    if (level.cell < cells.least || level.cell >= cells.most) continue;
     if (glm::any(glm::greaterThan(glm::abs(at - level.center), level.half + 0.5f * wide))) continue;
     // A thing that is wider than cells is added to all cells that it fills.
     int n = wide < 1.5f * level.cell ? 1 : wide < 2.5f * level.cell ? 2 : 3;
@@ -160,9 +173,13 @@ void SoftLight::Level::add(Vec3 at, float share, Vec3 albedo, Facing facing, flo
   if (bulk > 0) sum_up(bulk < cell ? thin[i] : body[i], sum);
   for (int c = 0; c < 3; ++c)
     sum_up(color[c][i], static_cast<std::uint32_t>(static_cast<float>(sum) * albedo[c] + 0.5f));
-  std::atomic_ref<Facing> looks(facings[i]);
-  if ((looks.load(std::memory_order_relaxed) & facing) != facing)
-    looks.fetch_or(facing, std::memory_order_relaxed);
+  face(facings[i], facing);
+}
+
+void SoftLight::want(Vec3 at, Cells cells) {
+  for (Level& level : levels_)
+    if (std::size_t i = 0; level.cell >= cells.least && level.cell < cells.most && level.index(at, i))
+      face(level.facings[i], kAllFacings);
 }
 
 void SoftLight::add_land(const std::function<float(Vec2)>& height, Vec3 albedo, float tall, float area) {

@@ -49,6 +49,11 @@ struct Probe {
   Vec3 light;  ///< linear; brightness of a white matt surface there with that orientation
 };
 
+/// Sides of cells, metres, from the least and below the most.
+struct Cells {
+  float least = 0, most = 1e30f;
+};
+
 /// Soft light in a scene: the sky light that reaches each place past the objects, and the sun and sky light
 /// that these reflect. Objects are entered into nested grids of cells, finer near the camera, each cell with
 /// its optical depth and colour, as for voxel cone tracing (Crassin and others 2011). First add everything,
@@ -59,8 +64,11 @@ class SoftLight {
   /// large; its side is a power of two times `unit` metres.
   SoftLight(std::vector<Eye> eyes, const Bounds& bounds, double pixels, double unit);
 
-  /// Side of the cells there, metres.
-  float cell_at(Vec3 at) const;
+  /// One that only knows its cells: nothing can be added.
+  static SoftLight bare(std::vector<Eye> eyes, const Bounds& bounds, double pixels, double unit);
+
+  /// Side of the cells there, metres; of the smallest within so many metres.
+  float cell_at(Vec3 at, double within = 0) const;
 
   /// Predicted size of the grids of such a scene.
   struct Size {
@@ -74,8 +82,12 @@ class SoftLight {
 
   /// A piece of a surface. `facing` tells which sides are outside; `bulk` is the width in metres of the body
   /// that it belongs to, 0 for a leaf, whose two sides are one piece; the piece is spread over a cube `wide`
-  /// across. Thread-safe.
-  void add(Vec3 at, float area, Vec3 albedo, Facing facing, float bulk, float wide = 0);
+  /// across. It is added to the grids with such `cells`. Thread-safe.
+  void add(Vec3 at, float area, Vec3 albedo, Facing facing, float bulk, float wide = 0, Cells cells = {});
+
+  /// A place that light is wanted at, of surfaces that face all ways and hide nothing, in the grids with such
+  /// cells. Thread-safe.
+  void want(Vec3 at, Cells cells);
 
   /// Land, solid below. Grass or litter covers it `tall` metres high, with `area` m2 per square metre.
   void add_land(const std::function<float(Vec2)>& height, Vec3 albedo, float tall, float area);

@@ -87,7 +87,8 @@ class ModelWriter {
     parallel_for(each.size(), [&](std::size_t i) { look_up(*each[i]); });
     std::ranges::copy_if(each, std::back_inserter(to_grow), [&](SownModel* one) {
       return grows(*one) || one->missing.empty() ||
-             std::ranges::any_of(one->missing, [](const auto& of) { return !of.empty(); });
+             std::ranges::any_of(one->missing, [](const auto& of) { return !of.empty(); }) ||
+             halvings(*one) != one->summary.halvings();
     });
     Errors errors =
         make_each(watch, "models", to_grow.size(), [&](std::size_t i) { return grow(*to_grow[i]); });
@@ -129,6 +130,16 @@ class ModelWriter {
     }
   }
 
+  /// How often its surfels have to be halved for the light.
+  std::vector<int> halvings(const SownModel& one) const {
+    std::vector<int> most(one.summary.surfels.size());
+    for (const SownModel::Use& use : one.uses) {
+      std::vector<int> wanted = wanted_halvings(scene_, use.copy_set, one.number, one.summary.surfels);
+      std::ranges::transform(most, wanted, most.begin(), [](int a, int b) { return std::max(a, b); });
+    }
+    return most;
+  }
+
   /// Whether the film sees it grow.
   bool grows(const SownModel& one) const {
     return turns(one) || std::ranges::any_of(one.uses, [&](const SownModel::Use& use) {
@@ -147,9 +158,11 @@ class ModelWriter {
     if (!model) return model.errors();
     if (one.missing.empty()) {
       one.summary.surfels = surfels_of(set.appearance.look, *model);
-      if (Errors errors = write_summary(one); !errors.empty()) return errors;
       plan(one);
     }
+    if (std::vector<int> wanted = halvings(one); wanted != one.summary.halvings())
+      refine(one.summary.surfels, wanted, set.appearance.look, *model);
+    if (Errors errors = write_summary(one); !errors.empty()) return errors;
     if (turns(one)) {
       // Its files hold the wood, frames the leaves.
       auto leaves = std::make_shared<Model>();

@@ -16,12 +16,16 @@ struct ModelSummary {
   std::vector<Surfel> surfels;
   /// Which parts its file of a level and block declares; none where there is no such file.
   std::map<std::pair<int, int>, std::vector<int>> parts;
+
+  /// Of each surfel.
+  std::vector<int> halvings() const;
 };
 
 /// The text of a file and what it says; nothing where that is no such text or not all of it. Its words are
 /// parted by blanks or line ends:
 ///
 ///     surfels N    N times x y z area wide red green blue bulk
+///     finer N    N times which surfel, its halvings, M and M times a surfel and its facing
 ///     files N     N times level block M and M numbers of parts
 ///     end
 ///

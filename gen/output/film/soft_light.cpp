@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <set>
 
 #include "core/bounds.h"
@@ -24,7 +25,35 @@ constexpr std::size_t kEyes = 12;           // of a film that are heeded
 constexpr float kFarthest = 3000;           // metres from the middle
 constexpr double kReuse =
     1.45;  // cells within which POV-Ray uses a place's light again; its tree grows coarse from 1.5
+// Cells across a surfel up to which the places that it is spread over, three along each side, are so close to
+// each other that the light at them reaches all of it.
+constexpr float kSpread = 4;
 constexpr float kDiffuse = 0.75f;  // of its colour, about, that a surface throws back
+
+/// Those of the film that are heeded.
+std::vector<Eye> some_eyes(const Scene& scene) {
+  std::vector<Eye> all = eyes(scene), some;
+  for (std::size_t i = 0; i < std::min(all.size(), kEyes); ++i)
+    some.push_back(all[i * (all.size() - 1) / std::max<std::size_t>(1, std::min(all.size(), kEyes) - 1)]);
+  return some;
+}
+
+/// The room over the ground up to some metres.
+Bounds room_over(const Grounds& ground, double tall) {
+  Bounds room;
+  for (const Vec3& at : ground.floor().position) room.extend(at, 0.2f);
+  if (room.empty()) room = {Vec3(-1, 0, -1), Vec3(1, 0, 1)};
+  room.high.y += static_cast<float>(tall);
+  Vec3 far(kFarthest, 1e6f, kFarthest);
+  return {glm::max(room.low, -far), glm::min(room.high, far)};
+}
+
+/// Side of the smallest cells within so many metres of a place, if that may be in view; else endless.
+float seen_cell(const SoftLight& grid, std::span<const Eye> eyes, Vec3 at, float within) {
+  float cell = grid.cell_at(at, within);
+  bool seen = std::ranges::any_of(eyes, [&](const Eye& eye) { return in_view(eye, at, within + 3 * cell); });
+  return seen ? cell : std::numeric_limits<float>::infinity();
+}
 
 using Specimens = std::vector<std::shared_ptr<const Specimen>>;
 
@@ -70,15 +99,55 @@ struct IntoGrid {
   float step(Vec3 at) const { return 0.4f * grid.cell_at(at); }
 };
 
-void add_ground(SoftLight& grid, const Scene& scene, Vec3 albedo) {
+/// Blades and stalks that rise out of the height of what covers the ground, next to the camera: they hide
+/// little, but light is wanted at them.
+void want_tips(SoftLight& grid, const Grounds& ground, std::span<const Eye> eyes) {
+  constexpr auto reach = static_cast<float>(kReuse);
+  auto cover = static_cast<float>(ground.low_cover().height);
+  for (const Patches& patches : ground.patches()) {
+    std::vector<Bounds> boxes;
+    for (const Surface* shape : patches.shapes) boxes.push_back(bounds_of(shape->position));
+    parallel_for(patches.at->size(), [&](std::size_t i) {
+      const Patch& patch = (*patches.at)[i];
+      const Bounds& box = boxes[static_cast<std::size_t>(patch.shape)];
+      float over = box.high.y - cover, wide = glm::distance(box.low, box.high);
+      if (box.empty() || over <= reach * seen_cell(grid, eyes, patch.at, wide)) return;
+      const Surface& shape = *patches.shapes[static_cast<std::size_t>(patch.shape)];
+      glm::mat3 axes = patch.axes();
+      for (const auto& of : shape.triangle) {
+        std::array<Vec3, 3> corner;
+        for (std::size_t c = 0; c < 3; ++c) corner[c] = shape.position[of[c]];
+        float top = std::max({corner[0].y, corner[1].y, corner[2].y}) - cover;
+        float cell = grid.cell_at(patch.at + axes * corner[0]);
+        if (top <= reach * cell) continue;
+        each_bit(corner, 0.5f * cell, [&](Vec3 at, float, Facing) {
+          if (at.y > cover) grid.want(patch.at + axes * at, {.most = (at.y - cover) / reach});
+        });
+      }
+    });
+  }
+}
+
+void add_ground(SoftLight& grid, const Scene& scene, Vec3 albedo, std::span<const Eye> eyes) {
   const Grounds& ground = *scene.ground;
   LowCover cover = ground.low_cover();
   grid.add_land([&](Vec2 at) { return ground.height(at); }, albedo, static_cast<float>(cover.height),
                 static_cast<float>(cover.area));
   SurfelSampler<IntoGrid>{IntoGrid{grid}}.strewn(ground.strewn());
+  want_tips(grid, ground, eyes);
 }
 
-void add_copies(SoftLight& grid, const Scene& scene, const Surfels& surfels, double time) {
+/// The directions that a surface faces when it is turned.
+Facing turned(Facing facing_of, Quat turn) {
+  if (facing_of == kAllFacings) return kAllFacings;
+  Vec3 normal(0);
+  for (int axis = 0; axis < 6; ++axis)
+    if (facing_of & 1 << axis) normal[axis / 2] += axis % 2 == 0 ? 1.0f : -1.0f;
+  return facing(turn * glm::normalize(normal));
+}
+
+void add_copies(SoftLight& grid, const Scene& scene, const Surfels& surfels, std::span<const Eye> eyes,
+                double time) {
   for (std::size_t s = 0; s < scene.copy_sets.size(); ++s) {
     const Copies& copies = scene.copy_sets[s].copies;
     std::optional<Seasons> seasons = copy_seasons(scene.copy_sets[s].organism, scene.film);
@@ -87,20 +156,24 @@ void add_copies(SoftLight& grid, const Scene& scene, const Surfels& surfels, dou
       if (!copies.there(i, time)) return;
       Vec3 each = copies.scale_at(i, time);
       Quat turn = copies.turn_at(i, time);
-      for (const Surfel& surfel : surfels[s][copies.model[i]])
+      auto add = [&](const Surfel& surfel, Facing facing, Cells cells) {
         grid.add(copies.foot[i] + turn * (each * surfel.at),
                  each.x * each.y * surfel.area * (surfel.bulk > 0 ? 1 : leaves), kDiffuse * surfel.albedo,
-                 kAllFacings, each.x * surfel.bulk, each.x * surfel.wide);
+                 facing, each.x * surfel.bulk, each.x * surfel.wide, cells);
+      };
+      for (const Surfel& surfel : surfels[s][copies.model[i]]) {
+        float wide = each.x * surfel.wide;
+        Vec3 at = copies.foot[i] + turn * (each * surfel.at);
+        if (surfel.finer.empty() || wide <= kSpread * seen_cell(grid, eyes, at, wide)) {
+          add(surfel, kAllFacings, {});
+          continue;
+        }
+        add(surfel, kAllFacings, {.least = wide / kSpread});
+        for (const Surfel& finer : surfel.finer)
+          add(finer, turned(finer.facing, turn), {.most = wide / kSpread});
+      }
     });
   }
-}
-
-/// Those of the film that are heeded.
-std::vector<Eye> some_eyes(const Scene& scene) {
-  std::vector<Eye> all = eyes(scene), some;
-  for (std::size_t i = 0; i < std::min(all.size(), kEyes); ++i)
-    some.push_back(all[i * (all.size() - 1) / std::max<std::size_t>(1, std::min(all.size(), kEyes) - 1)]);
-  return some;
 }
 
 /// Whether a branch comes so many metres away from where it is in the first frame.
@@ -171,21 +244,40 @@ std::vector<Probe> far_probes(const DistantTerrain& far, const Ambience& ambienc
 }  // namespace
 
 SoftLight::Size estimate_light(const Scene& scene, double tall) {
-  Bounds room;
-  for (const Vec3& at : scene.ground->floor().position) room.extend(at, 0.2f);
-  if (room.empty()) room = {Vec3(-1, 0, -1), Vec3(1, 0, 1)};
-  room.high.y += static_cast<float>(tall);
-  Vec3 far(kFarthest, 1e6f, kFarthest);
-  room = {glm::max(room.low, -far), glm::min(room.high, far)};
   std::vector<Eye> some = some_eyes(scene);
   return SoftLight::estimate_size(
-      some, room, kPixels[static_cast<std::size_t>(scene.film.quality)], 1 / PovSpace{}.unit,
-      [&](Vec2 at) { return scene.ground->height(at); }, static_cast<float>(scene.ground->low_cover().height),
-      some);
+      some, room_over(*scene.ground, tall), kPixels[static_cast<std::size_t>(scene.film.quality)],
+      1 / PovSpace{}.unit, [&](Vec2 at) { return scene.ground->height(at); },
+      static_cast<float>(scene.ground->low_cover().height), some);
 }
 
 double light_reach(Quality quality, double pixel) {
   return kReuse * kPixels[static_cast<std::size_t>(quality)] * pixel;
+}
+
+std::vector<int> wanted_halvings(const Scene& scene, std::size_t copy_set, int model,
+                                 const std::vector<Surfel>& surfels) {
+  std::vector<int> halvings(surfels.size());
+  if (surfels.empty() || !has_soft_light(scene.setup)) return halvings;
+  const Copies& copies = scene.copy_sets[copy_set].copies;
+  float reach = 0, side = surfels[0].wide;
+  for (const Surfel& surfel : surfels) reach = std::max(reach, glm::length(surfel.at) + side);
+  std::vector<Eye> some = some_eyes(scene);
+  SoftLight grid =
+      SoftLight::bare(some, room_over(*scene.ground, reach),
+                      kPixels[static_cast<std::size_t>(scene.film.quality)], 1 / PovSpace{}.unit);
+  for (std::size_t i = 0; i < copies.size(); ++i) {
+    float wide = copies.scale[i] * side;
+    auto coarse = [&](Vec3 at, float within) { return wide > kSpread * seen_cell(grid, some, at, within); };
+    if (copies.model[i] != model || !coarse(copies.foot[i], copies.scale[i] * reach)) continue;
+    for (std::size_t k = 0; k < surfels.size(); ++k) {
+      Vec3 at = copies.foot[i] + copies.turn[i] * (copies.scale[i] * surfels[k].at);
+      if (!coarse(at, wide)) continue;
+      int times = static_cast<int>(std::ceil(std::log2(wide / grid.cell_at(at, wide))));
+      halvings[k] = std::max(halvings[k], std::min(times, kMostHalvings));
+    }
+  }
+  return halvings;
 }
 
 bool light_changes(const Scene& scene, std::span<const double> pixel) {
@@ -220,8 +312,8 @@ Result<std::string> soft_light_text(const PovSpace& space, const Scene& scene, c
   if (!glm::all(glm::lessThan(room.low, room.high))) return std::string();  // there is nothing
   SoftLight grid(some, room, kPixels[static_cast<std::size_t>(scene.film.quality)], 1 / space.unit);
   for (const auto& specimen : now) sample_surfels(IntoGrid{grid}, DrawList(*specimen, time));
-  add_copies(grid, scene, surfels, time);
-  add_ground(grid, scene, ambience->ground);
+  add_copies(grid, scene, surfels, some, time);
+  add_ground(grid, scene, ambience->ground, some);
   std::vector<Probe> probes = grid.probes(*ambience, changes ? here : some);
   if (scene.far)
     std::ranges::move(far_probes(*scene.far, *ambience, changes ? here : some), std::back_inserter(probes));

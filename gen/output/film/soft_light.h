@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "draw/surfels.h"
 #include "emit/pov.h"
@@ -16,6 +17,11 @@ SoftLight::Size estimate_light(const Scene& scene, double tall);
 
 /// How many metres from where it was worked out soft light serves, where a pixel is so many.
 double light_reach(Quality quality, double pixel);
+
+/// How often the cube of each surfel of a copy set's model has to be halved, so that its copies next to the
+/// camera have finer ones; 0: it is fine enough.
+std::vector<int> wanted_halvings(const Scene& scene, std::size_t copy_set, int model,
+                                 const std::vector<Surfel>& surfels);
 
 /// Whether the soft light is another in each frame: where something grows, becomes another shape or comes so
 /// far from where it is in the first frame that it would be dark, or the sun moves. What sways a little keeps
