@@ -99,29 +99,28 @@ struct IntoGrid {
   float step(Vec3 at) const { return 0.4f * grid.cell_at(at); }
 };
 
-/// Blades and stalks that rise out of the height of what covers the ground, next to the camera: they hide
-/// little, but light is wanted at them.
+/// Blades next to the camera that rise out of the height of what covers the ground, as where a patch lies over
+/// a hollow: they hide little, but light is wanted at them.
 void want_tips(SoftLight& grid, const Grounds& ground, std::span<const Eye> eyes) {
+  constexpr float kRise = 0.25f;  // of the height, as far as which they are looked for
   constexpr auto reach = static_cast<float>(kReuse);
   auto cover = static_cast<float>(ground.low_cover().height);
   for (const Patches& patches : ground.patches()) {
-    std::vector<Bounds> boxes;
-    for (const Surface* shape : patches.shapes) boxes.push_back(bounds_of(shape->position));
+    std::vector<float> wide;
+    for (const Surface* shape : patches.shapes) wide.push_back(reach_of(shape->position));
     parallel_for(patches.at->size(), [&](std::size_t i) {
       const Patch& patch = (*patches.at)[i];
-      const Bounds& box = boxes[static_cast<std::size_t>(patch.shape)];
-      float over = box.high.y - cover, wide = glm::distance(box.low, box.high);
-      if (box.empty() || over <= reach * seen_cell(grid, eyes, patch.at, wide)) return;
+      float around = wide[static_cast<std::size_t>(patch.shape)];
+      if (kRise * cover <= reach * seen_cell(grid, eyes, patch.at, around)) return;
       const Surface& shape = *patches.shapes[static_cast<std::size_t>(patch.shape)];
       glm::mat3 axes = patch.axes();
       for (const auto& of : shape.triangle) {
         std::array<Vec3, 3> corner;
-        for (std::size_t c = 0; c < 3; ++c) corner[c] = shape.position[of[c]];
-        float top = std::max({corner[0].y, corner[1].y, corner[2].y}) - cover;
-        float cell = grid.cell_at(patch.at + axes * corner[0]);
-        if (top <= reach * cell) continue;
-        each_bit(corner, 0.5f * cell, [&](Vec3 at, float, Facing) {
-          if (at.y > cover) grid.want(patch.at + axes * at, {.most = (at.y - cover) / reach});
+        for (std::size_t c = 0; c < 3; ++c) corner[c] = patch.at + axes * shape.position[of[c]];
+        float step = 0.5f * grid.cell_at(corner[0]);
+        each_bit(corner, step, [&](Vec3 at, float, Facing) {
+          float rise = at.y - ground.height({at.x, at.z}) - cover;
+          if (rise > 2 * step * reach) grid.want(at, {.most = rise / reach});
         });
       }
     });
