@@ -146,7 +146,8 @@ float SoftLight::cell_at(Vec3 at, double within) const {
   return levels_[level_for(fit(away(at) - within))].cell;
 }
 
-void SoftLight::add(Vec3 at, float area, Vec3 albedo, Facing facing, float bulk, float wide, Cells cells) {
+void SoftLight::add(Vec3 at, float area, Vec3 albedo, Facing facing, float bulk, float wide,
+                    CellSizes cells) {
   for (Level& level : levels_) {
     if (level.cell < cells.least || level.cell >= cells.most) continue;
     if (glm::any(glm::greaterThan(glm::abs(at - level.center), level.half + 0.5f * wide))) continue;
@@ -176,7 +177,7 @@ void SoftLight::Level::add(Vec3 at, float share, Vec3 albedo, Facing facing, flo
   face(facings[i], facing);
 }
 
-void SoftLight::want(Vec3 at, Cells cells) {
+void SoftLight::want(Vec3 at, CellSizes cells) {
   for (Level& level : levels_)
     if (std::size_t i = 0; level.cell >= cells.least && level.cell < cells.most && level.index(at, i))
       face(level.facings[i], kAllFacings);

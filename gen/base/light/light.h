@@ -50,7 +50,7 @@ struct Probe {
 };
 
 /// Sides of cells, metres, from the least and below the most.
-struct Cells {
+struct CellSizes {
   float least = 0, most = 1e30f;
 };
 
@@ -83,11 +83,11 @@ class SoftLight {
   /// A piece of a surface. `facing` tells which sides are outside; `bulk` is the width in metres of the body
   /// that it belongs to, 0 for a leaf, whose two sides are one piece; the piece is spread over a cube `wide`
   /// across. It is added to the grids with such `cells`. Thread-safe.
-  void add(Vec3 at, float area, Vec3 albedo, Facing facing, float bulk, float wide = 0, Cells cells = {});
+  void add(Vec3 at, float area, Vec3 albedo, Facing facing, float bulk, float wide = 0, CellSizes cells = {});
 
   /// A place that light is wanted at, of surfaces that face all ways and hide nothing, in the grids with such
   /// cells. Thread-safe.
-  void want(Vec3 at, Cells cells);
+  void want(Vec3 at, CellSizes cells);
 
   /// Land, solid below. Grass or litter covers it `tall` metres high, with `area` m2 per square metre.
   void add_land(const std::function<float(Vec2)>& height, Vec3 albedo, float tall, float area);

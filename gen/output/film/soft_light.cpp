@@ -25,8 +25,8 @@ constexpr std::size_t kEyes = 12;           // of a film that are heeded
 constexpr float kFarthest = 3000;           // metres from the middle
 constexpr double kReuse =
     1.45;  // cells within which POV-Ray uses a place's light again; its tree grows coarse from 1.5
-// Cells across a surfel up to which the places that it is spread over, three along each side, are so close to
-// each other that the light at them reaches all of it.
+// Cells across a surfel up to which the places that it is spread over, three along each side, are so
+// close to each other that the light at them reaches all of it.
 constexpr float kSpread = 4;
 constexpr float kDiffuse = 0.75f;  // of its colour, about, that a surface throws back
 
@@ -99,8 +99,8 @@ struct IntoGrid {
   float step(Vec3 at) const { return 0.4f * grid.cell_at(at); }
 };
 
-/// Blades next to the camera that rise out of the height of what covers the ground, as where a patch lies over
-/// a hollow: they hide little, but light is wanted at them.
+/// Blades next to the camera that rise out of the height of what covers the ground, as where a patch lies
+/// over a hollow: they hide little, but light is wanted at them.
 void want_tips(SoftLight& grid, const Grounds& ground, std::span<const Eye> eyes) {
   constexpr float kRise = 0.25f;  // of the height, as far as which they are looked for
   constexpr auto reach = static_cast<float>(kReuse);
@@ -155,7 +155,7 @@ void add_copies(SoftLight& grid, const Scene& scene, const Surfels& surfels, std
       if (!copies.there(i, time)) return;
       Vec3 each = copies.scale_at(i, time);
       Quat turn = copies.turn_at(i, time);
-      auto add = [&](const Surfel& surfel, Facing facing, Cells cells) {
+      auto add = [&](const Surfel& surfel, Facing facing, CellSizes cells) {
         grid.add(copies.foot[i] + turn * (each * surfel.at),
                  each.x * each.y * surfel.area * (surfel.bulk > 0 ? 1 : leaves), kDiffuse * surfel.albedo,
                  facing, each.x * surfel.bulk, each.x * surfel.wide, cells);
