@@ -14,6 +14,7 @@
 #include "core/files.h"
 #include "core/parallel.h"
 #include "field/settle.h"
+#include "field/solid.h"
 #include "field/whole.h"
 #include "geometry/crease.h"
 
@@ -65,14 +66,15 @@ struct Filled {
   bool inside = false;
 };
 
-Filled leaf_of(const BranchVolume& boughs, const Blocks& blocks, const FoundBlock& found, float most) {
+/// Of the block at `first`, whose voxels within `band` are active; no distance is above `most`. Metres.
+Filled leaf_of(Cell first, const BlockFiller& fill, float band, float most) {
   std::array<float, kBlockVoxels> distance;
-  Filling filling = fill_block(boughs, blocks, found, distance);
+  Filling filling = fill(first, distance);
   if (filling != Filling::crossed) return {nullptr, filling == Filling::inside};
-  auto leaf = std::make_unique<Leaf>(coord(block_origin(found.block->key)), most, false);
+  auto leaf = std::make_unique<Leaf>(coord(first), most, false);
   for (openvdb::Index i = 0; i < kBlockVoxels; ++i) {
     float d = distance[i], value = std::clamp(d, -most, most);
-    if (d > -blocks.band && d < blocks.band)
+    if (d > -band && d < band)
       leaf->setValueOn(i, value);
     else
       leaf->setValueOff(i, value);
@@ -80,27 +82,40 @@ Filled leaf_of(const BranchVolume& boughs, const Blocks& blocks, const FoundBloc
   return {std::move(leaf), false};
 }
 
-/// The distances of the blocks, none of them above `most` to either side; metres.
-Volume fill_volume(const BranchVolume& boughs, const Blocks& blocks, float most) {
+/// A level set without a voxel; metres.
+openvdb::FloatGrid::Ptr empty_grid(float voxel, float most) {
   prepare();
   auto grid = openvdb::FloatGrid::create(most);
   grid->setName(kName);
   grid->setGridClass(openvdb::GRID_LEVEL_SET);
-  grid->setTransform(openvdb::math::Transform::createLinearTransform(blocks.voxel));
-  openvdb::FloatTree& tree = grid->tree();
+  grid->setTransform(openvdb::math::Transform::createLinearTransform(voxel));
+  return grid;
+}
+
+/// Puts a block into a level set.
+void put(openvdb::FloatTree& tree, Cell first, Filled&& filled, float most) {
+  if (filled.leaf)
+    tree.addLeaf(filled.leaf.release());
+  else if (filled.inside)
+    tree.addTile(1, coord(first), -most, false);
+}
+
+/// The distances of the blocks, none of them above `most` to either side; metres.
+Volume fill_volume(const BranchVolume& boughs, const Blocks& blocks, float most) {
+  auto grid = empty_grid(blocks.voxel, most);
   for (const BlockList& list : blocks.lists) {
     std::vector<Filled> filled(list.blocks.size());
     parallel_for(filled.size(), [&](std::size_t i) {
-      filled[i] = leaf_of(boughs, blocks, {&list, &list.blocks[i]}, most);
+      FoundBlock found{&list, &list.blocks[i]};
+      auto fill = [&](Cell, std::span<float, kBlockVoxels> distance) {
+        return fill_block(boughs, blocks, found, distance);
+      };
+      filled[i] = leaf_of(block_origin(found.block->key), fill, blocks.band, most);
     });
-    for (std::size_t i = 0; i < filled.size(); ++i) {
-      if (filled[i].leaf)
-        tree.addLeaf(filled[i].leaf.release());
-      else if (filled[i].inside)
-        tree.addTile(1, coord(block_origin(list.blocks[i].key)), -most, false);
-    }
+    for (std::size_t i = 0; i < filled.size(); ++i)
+      put(grid->tree(), block_origin(list.blocks[i].key), std::move(filled[i]), most);
   }
-  openvdb::tools::signedFloodFill(tree);
+  openvdb::tools::signedFloodFill(grid->tree());
   return Volume(std::make_shared<Volume::Grid>(Volume::Grid{grid}));
 }
 
@@ -237,6 +252,25 @@ Result<Volume> volume_of(const BranchVolume& boughs, const VolumeOptions& option
 Result<Surface> mesh_of(const Volume& volume, double adaptivity) {
   return guarded("", [&]() -> Result<Surface> {
     Surface surface = contour(*volume.grid().level_set, adaptivity);
+    set_normals(surface);
+    return surface;
+  });
+}
+
+Result<Surface> solid_surface(const Box& box, double voxel, const BlockFiller& fill) {
+  return guarded("", [&]() -> Result<Surface> {
+    auto side = static_cast<float>(voxel), band = kMeshBand * side;
+    Cell low = block_origin(block_key(voxel_at(Vec3(box.low), side))), high = voxel_at(Vec3(box.high), side);
+    std::vector<Cell> blocks;
+    for (Cell c = low; c.i <= high.i; c.i += kBlockSide)
+      for (c.j = low.j; c.j <= high.j; c.j += kBlockSide)
+        for (c.k = low.k; c.k <= high.k; c.k += kBlockSide) blocks.push_back(c);
+    std::vector<Filled> filled(blocks.size());
+    parallel_for(filled.size(), [&](std::size_t i) { filled[i] = leaf_of(blocks[i], fill, band, band); });
+    auto grid = empty_grid(side, band);
+    for (std::size_t i = 0; i < filled.size(); ++i) put(grid->tree(), blocks[i], std::move(filled[i]), band);
+    openvdb::tools::signedFloodFill(grid->tree());
+    Surface surface = contour(*grid, 0);
     set_normals(surface);
     return surface;
   });

@@ -166,6 +166,11 @@ Isosurface native_rock(const RockShape& shape, const Blobs& blobs) {
 }
 
 Surface rock_surface(const RockShape& shape, Seed seed) {
+  if (shape.form != RockForm::blobs) {
+    FrameworkCells cells{std::exp2(-shape.cells.depth), shape.cells.tolerance};
+    auto make = shape.form == RockForm::rubble ? rubble_surface : framework_surface;
+    return make(shape.framework, shape.size, cells, seed);
+  }
   Surface rock = bare_rock(shape, rock_blobs(shape, seed));
   if (rock.position.empty() || !weathered(shape.weathering)) return rock;
   if (shape.weathering.facet_depth > 0) break_off(rock, shape, seed);

@@ -2,6 +2,7 @@
 
 #include "rocks/blob_surface.h"
 #include "rocks/blobs.h"
+#include "rocks/framework.h"
 
 namespace frond {
 
@@ -17,8 +18,13 @@ struct Weathering {
   double underside = 0.3;     ///< share of the height below which it is cut flat
 };
 
+/// What a rock is made as.
+enum class RockForm { blobs, framework, rubble };
+
 /// A rock of one piece.
 struct RockShape {
+  RockForm form = RockForm::blobs;
+  Framework framework;    ///< of the other two forms, which have no blobs and no weathering
   std::vector<Blob> own;  ///< its own blobs; empty: random ones
   BlobChance chance;
   Falloff falloff = Falloff::gaussian;

@@ -28,6 +28,13 @@ constexpr Choice<Falloff> kFalloffs[] = {
     {"soft", Falloff::soft, "1 - 4 d^6/9r^6 + 17 d^4/9r^4 - 22 d^2/9r^2"},
     {"cubic", Falloff::cubic, "(1 - d^2/r^2)^3"}};
 
+constexpr Choice<RockForm> kForms[] = {
+    {"blobs", RockForm::blobs, "blobs, broken and weathered"},
+    {"framework", RockForm::framework,
+     "a reef framework: dead colonies that have grown on one another, bored and eroded; for stone of the "
+     "kind reef"},
+    {"rubble", RockForm::rubble, "a worn fragment of a branched coral, as it lies in rubble"}};
+
 constexpr Choice<StoneKind> kStoneKinds[] = {
     {"granite", StoneKind::granite, "speckled and massive"},
     {"limestone", StoneKind::limestone, "pale, banded and pitted"},
@@ -76,6 +83,7 @@ float height_of(const Surface& surface) {
 }
 
 Errors check_rock(const RockShape& shape) {
+  if (shape.form != RockForm::blobs) return {};
   double count = shape.own.empty() ? shape.chance.count : static_cast<double>(shape.own.size());
   if (count <= shape.level) return {hollow_rock()};
   if (shape.own.empty() && shape.chance.least_radius > shape.chance.most_radius)
@@ -113,6 +121,18 @@ void describe(Properties& v, Weathering& w) {
            "Share of the height below which the rock is cut flat");
 }
 
+void describe(Properties& v, Framework& f) {
+  v.number("height", f.height, {.min = 0.2, .max = 1}, "Height of a framework, as a share of its size");
+  v.integer("colonies", f.colonies, {.min = 0, .max = 2000},
+            "Number of dead colonies that a framework is built of, the largest first");
+  v.number("plates", f.plates, {.min = 0, .max = 1},
+           "Share of them that are plates: ledges on steep sides and tables on level tops");
+  v.number("branches", f.branches, {.min = 0, .max = 1},
+           "Share of them that are stubs of branches; all others are domes");
+  v.number("boring", f.boring, {.min = 0, .max = 1}, "How many caves, holes and pits there are");
+  v.number("erosion", f.erosion, {.min = 0, .max = 1}, "How strong lumps and knobs are");
+}
+
 void describe(Properties& v, StoneLook& s) {
   v.aspect(Aspect::look);
   v.choice("kind", s.kind, kStoneKinds, "What stone it is");
@@ -128,6 +148,8 @@ void describe(Properties& v, StoneLook& s) {
 }
 
 void describe_shape(Properties& v, RockShape& s) {
+  v.choice("form", s.form, kForms, "What it is made as. Only blobs have weathering");
+  v.object("framework", s.framework, "How a framework is built. Of rubble only boring and erosion count");
   v.list("ellipsoids", s.own, "The blobs that it is made of; without them random ones are taken");
   v.integer("blobs", s.chance.count, {.min = 1, .max = 200}, "Number of random blobs");
   v.number("least_radius", s.chance.least_radius, {.min = 0.01, .max = 100},
