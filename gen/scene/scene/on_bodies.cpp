@@ -18,6 +18,7 @@ namespace {
 constexpr std::uint64_t kDarts = 40;   // thrown for each copy before it is given up
 constexpr int kPatience = 500;         // copies in a row that find no room before the others are given up
 constexpr float kOfColony = 0.45f;     // of the reach of a colony, that copies keep from its foot
+constexpr float kUnderColony = 0.12f;  // those of the lowest layer, which grow up to it
 constexpr double kFarthestHost = 1e3;  // metres from the middle
 constexpr double kSlopeEdge = 0.8;     // of the steepest slope, from which on copies become fewer
 constexpr float kOverhang = -0.35f;    // what faces down by more bears no colony
@@ -152,7 +153,9 @@ class BodySower {
       if (!spot) continue;
       missed = 0;
       crowd.add(spot->at, radius);
-      add_copy(copies, organism_, own, spot->at, spot->normal, size,
+      // What is raised or sunk is so along the normal, which add_copy() does upward.
+      Vec3 aside = static_cast<float>(organism_.place.raise) * (spot->normal - Vec3(0, 1, 0));
+      add_copy(copies, organism_, own, spot->at + aside, spot->normal, size,
                static_cast<std::uint16_t>(own.child("model").bits() %
                                           static_cast<unsigned>(organism_.sown->models)));
     }
@@ -234,7 +237,8 @@ Errors sow_on_bodies(Scene& scene, const Preset& preset, const World& world) {
     if (added)
       for (std::size_t i = 0; i < world.territories().size(); ++i) {
         const Claim& claim = world.territories().claim(i);
-        crowd->second.add(claim.foot, std::min(kOfColony * claim.across, 0.25f));
+        float kept = where.layer == Layer::herbs ? kUnderColony : kOfColony;
+        crowd->second.add(claim.foot, std::min(kept * claim.across, 0.25f));
       }
     int found = BodySower(organism, **host, world, seeds[set->entry]).sow(crowd->second, set->copies);
     if (found < organism.count)
