@@ -74,6 +74,19 @@ TEST(BuildRock, RefusesBlobsWithoutAnInside) {
   EXPECT_EQ(check_rock(params.shape)[0].what, "least_radius is above most_radius");
 }
 
+TEST(BuildRock, IsAFrameworkOrRubbleOnRequest) {
+  RockParams params = quick();
+  std::size_t blobs = build_rock(params, Seed{3})->solids.shapes[0].surface.triangle.size();
+  params.shape.form = RockForm::framework;
+  params.shape.chance.count = 0;  // of no account
+  Model framework = *build_rock(params, Seed{3});
+  EXPECT_EQ(framework.find_fault(), "");
+  EXPECT_NE(framework.solids.shapes[0].surface.triangle.size(), blobs);
+  params.shape.form = RockForm::rubble;
+  Model rubble = *build_rock(params, Seed{3});
+  EXPECT_LT(height_of(rubble.solids.shapes[0].surface), height_of(framework.solids.shapes[0].surface));
+}
+
 TEST(BuildPebbles, LayManyThatDiffer) {
   PebblesParams params;
   params.shape.cells = {4, 0.002};

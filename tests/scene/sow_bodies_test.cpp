@@ -64,6 +64,37 @@ TEST(SowBodies, KeepToTheirSlopes) {
   EXPECT_LT(steepest("170"), 0);
 }
 
+TEST(SowBodies, AreSunkAlongTheNormal) {
+  std::string sunk = tufts(40, R"(, "slope": 170)");
+  sunk.replace(sunk.find("\"lean\""), 0, R"("raise": -0.02, )");
+  Scene scene = *on_boulder(sunk);
+  TriangleSurface host = skin(scene);
+  int deep = 0;
+  for (Vec3 foot : scene.copy_sets[0].copies.foot) {
+    EXPECT_TRUE(host.inside(DVec3(foot)));
+    // Less where another part of the surface is nearer.
+    double distance = host.closest(DVec3(foot))->distance;
+    EXPECT_LT(distance, 0.0201);
+    deep += distance > 0.018;
+  }
+  EXPECT_GT(deep, 30);
+}
+
+TEST(SowBodies, OnlyTheLowestLayerGrowsUpToColonies) {
+  auto nearest = [](const std::string& layer) {
+    Scene scene = *on_boulder(
+        R"({"kind": "massive", "across": 0.8, "relief": "plain", "edge": 0.04, "place": {"at": [[0, 0]], "on": ["boulder"]}}, )" +
+        tufts(400, R"(, "slope": 90, "layer": ")" + layer + '"'));
+    auto met = skin(scene).crossing(DVec3(0, 9, 0), DVec3(0, -9, 0));
+    Vec3 foot(0, 9 - 18 * met->share, 0);
+    float least = 9;
+    for (Vec3 other : scene.copy_sets[0].copies.foot) least = std::min(least, glm::distance(foot, other));
+    return least;
+  };
+  EXPECT_GT(nearest("shrubs"), 0.24f);
+  EXPECT_LT(nearest("herbs"), 0.24f);
+}
+
 TEST(SowBodies, AreTheSameOnAnyNumberOfThreads) {
   limit_threads(1);
   Scene one = *on_boulder(tufts(60, ""));
