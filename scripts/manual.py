@@ -259,7 +259,8 @@ def pages():
     for name, doc in settings:
         made[f"settings/{name}.md"] = page(name, sentence_of(doc), topics, blocks.get(name, [f"scene/{name}"]), MADE)
     made["settings/preset.md"] = page("The preset itself", "What every preset has besides its organisms and its "
-                                      "setting.", topics, ["film", "taxon", "scene/camera", "scene/wind", "events", "plan", "stand"],
+                                      "setting.", topics,
+                                      ["film", "taxon", "scene/camera", "scene/wind", "events", "plan", "stand", "reef"],
                                       "## The top\n\n" + table([t for t in topics if "/" not in t["path"]], "") + MADE)
     index = "".join(f"* [{name}]({name}.md): {doc}\n" for name, doc in settings)
     made["settings/README.md"] = ("# Settings\n\n" + index +

@@ -43,6 +43,12 @@ TEST(UnusedProperties, OfAnotherSurroundingAreNoted) {
       (Notes{"p.json:1:51: /scene/meadow/sun: does nothing here: the setting is garden; it is for meadow"}));
 }
 
+TEST(UnusedProperties, HeatWithoutAReefIsNoted) {
+  EXPECT_EQ(notes_of(R"({"events": [{"year": 3, "heat": 8}], "organisms": [{"kind": "tree"}]})"),
+            (Notes{"p.json:1:33: /events/0/heat: does nothing here: it is for a preset with a reef"}));
+  EXPECT_EQ(notes_of(R"({"events": [{"year": 3, "heat": 8}], "reef": {}, "organisms": []})"), Notes{});
+}
+
 TEST(UnusedProperties, OfAnOrganismAreNoted) {
   EXPECT_EQ(
       notes_of(R"({"scene": {"setting": "studio"}, "organisms": [

@@ -62,10 +62,22 @@ setup() {
   [ "$(wc -l <stand.csv)" -eq 7 ]
   run "$frond" stand "$root/presets/bush.json"
   [ "$status" -eq 2 ]
-  [[ "$output" == *"bush.json: the preset has no stand" ]]
+  [[ "$output" == *"bush.json: the preset has no stand and no reef" ]]
   run "$frond" stand "$root/presets/forest/clearing.json" --year 300
   [ "$status" -eq 2 ]
   [[ "$output" == *"--year 300 is after the last year, 200" ]]
+}
+
+@test "stand plots the years of a reef" {
+  run "$frond" stand "$root/presets/reef/century.json" --set /reef/years=34 --set '/reef/area=[3, 3]' --year 33.5
+  [ "$status" -eq 0 ]
+  [ "$output" = century_reef.svg ]
+  grep -q 'The reef in year 33.5:' century_reef.svg
+  "$frond" stand "$root/presets/reef/century.json" --set /reef/years=34 --set '/reef/area=[3, 3]' -o reef.csv
+  [ "$(wc -l <reef.csv)" -eq 36 ]
+  run "$frond" stand "$root/presets/reef/century.json" --year 101
+  [ "$status" -eq 2 ]
+  [[ "$output" == *"--year 101 is after the last year, 100" ]]
 }
 
 @test "grammars of other tools are read" {

@@ -68,7 +68,7 @@ def read_kinds(described):
     tops, trees = {}, {}
     for entry in described:
         kind, *names = entry["path"].split("/")
-        if not names or kind in ("film", "scene", "events", "plan", "stand") or names in (["kind"], ["species"], ["name"]):
+        if not names or kind in ("film", "scene", "events", "plan", "stand", "reef") or names in (["kind"], ["species"], ["name"]):
             continue
         above = trees.get((kind, *names[:-1]))
         one = read_one(entry, (above.path if above else ()) + (names[-1],))

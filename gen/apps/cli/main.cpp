@@ -225,13 +225,14 @@ void add_plan(CLI::App& app) {
 
 void add_stand(CLI::App& app) {
   auto [command, to] = add_command(
-      app, "stand", "Simulates the stand of a preset that has one, and plots it as SVG or CSV", draw_stand);
+      app, "stand", "Simulates the stand or the reef of a preset, and plots it as SVG or CSV", draw_stand);
   add_preset(command, to->preset);
-  command->add_option("-o,--out", to->out, "FILE.svg or FILE.csv (<preset name>_stand.svg)");
+  command->add_option("-o,--out", to->out, "FILE.svg or FILE.csv (<preset name>_stand.svg or _reef.svg)");
   command->add_option("--year", to->year, "N: the year of the map and the distributions (the last)")
       ->check(CLI::NonNegativeNumber);
-  command->footer(R"(Example:
-  frond stand presets/forest/clearing.json --year 120 -o stand.svg)");
+  command->footer(R"(Examples:
+  frond stand presets/forest/clearing.json --year 120 -o stand.svg
+  frond stand presets/reef/century.json -o reef.csv)");
 }
 
 void add_catalogue(CLI::App& app) {

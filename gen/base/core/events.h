@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-// What happens once to the trees of a wood, at a date: storms, fellings, prunings.
+// What happens once to the trees of a wood or to a reef, at a date: storms, heat waves, fellings, prunings.
 
 namespace frond {
 
@@ -24,6 +24,7 @@ struct Prune {
 struct Event {
   double year = 0;   ///< years since the oldest trees began to grow
   double storm = 0;  ///< 0 the strongest gust of an ordinary year .. 1 one of kWorstStorm
+  double heat = 0;   ///< degree heating weeks of a heat wave in the sea
   std::optional<Cut> cut;
   std::optional<Prune> prune;
 };

@@ -178,14 +178,16 @@ double number_of(const Organism& organism) {
 
 constexpr double kLibrary = 3.6;  // models of a stand's organism, in full-grown ones
 
-/// How many trees of a stand are drawn as copies of an entry, about.
-double trees_of_stand(const Preset& preset, const Organism& organism) {
-  constexpr double kDensity = 0.12;  // trees that live or lie on each square metre
-  if (!preset.stand || !organism.sown) return 0;
-  const auto& species = preset.stand->species;
-  bool drawn = std::ranges::any_of(species, [&](const auto& s) { return s.organism == organism.name; });
-  double area = preset.stand->area.x * preset.stand->area.y;
-  return drawn ? kDensity * area / static_cast<double>(species.size()) : 0;
+/// How many individuals of a stand or a reef are drawn as copies of an entry, about.
+double lives_of_entry(const Preset& preset, const Organism& organism) {
+  constexpr double kTrees = 0.12, kColonies = 8;  // that live or lie on each square metre
+  auto drawn = [&](const auto& text, double density) {
+    auto named = [&](const auto& s) { return s.organism == organism.name; };
+    double part = std::ranges::any_of(text.species, named) ? 1 / static_cast<double>(text.species.size()) : 0;
+    return part * density * text.area.x * text.area.y;
+  };
+  if (!organism.sown) return 0;
+  return preset.stand ? drawn(*preset.stand, kTrees) : preset.reef ? drawn(*preset.reef, kColonies) : 0;
 }
 
 /// What trees that grow in one light leave of each other: the ground that they cover is less than their
@@ -235,7 +237,7 @@ struct Sums {
   void add_sown(const Preset& preset, std::size_t o, const SizeEstimate& size, const Appearance& appearance,
                 double made, double grows) {
     const Organism& organism = preset.organisms[o];
-    double trees = trees_of_stand(preset, organism), count = organism.count + trees;
+    double trees = lives_of_entry(preset, organism), count = organism.count + trees;
     double models = 0, model = model_bytes(preset, organism, size, count);
     for (int m = 0; m < organism.sown->models; ++m) models += grown.insert(copy_id(organism, m)).second;
     if (trees > 0) models *= kLibrary;
@@ -303,7 +305,7 @@ Result<Sums> sums_of(const Preset& preset, FrameRange part) {
   for (std::size_t o = 0; o < preset.organisms.size(); ++o) {
     const Organism& organism = preset.organisms[o];
     const Grower& grower = *organism.grower;
-    if (organism.count == 0 && trees_of_stand(preset, organism) == 0) continue;
+    if (organism.count == 0 && lives_of_entry(preset, organism) == 0) continue;
     Result<SizeEstimate> sized = grower.estimate_size(seeds[o]);
     if (!sized) return sized.errors();
     SizeEstimate& size = *sized;

@@ -198,10 +198,15 @@ void describe(Properties& v, Prune& p) {
 
 void describe(Properties& v, Event& e) {
   v.number("year", e.year, {.min = 0, .max = 10000, .unit = "years"},
-           "When it happens, counted from when the oldest trees began to grow, or in the years of the stand");
+           "When it happens, counted from when the oldest trees began to grow, or in the years of the stand "
+           "or the reef");
   v.required("year");
-  v.number("storm", e.storm, {.min = 0, .max = 1, .sense = "0.5 breaks limbs, 1 flattens woods"},
-           "Strength of a storm, from the strongest gust of an ordinary year to one of 50 m/s");
+  v.number(
+      "storm", e.storm, {.min = 0, .max = 1, .sense = "0.5 breaks limbs, 1 flattens woods"},
+      "Strength of a storm, from the strongest gust of an ordinary year to one of 50 m/s; on a reef from "
+      "the strongest waves of an ordinary year to water of 6 m/s");
+  v.number("heat", e.heat, {.min = 0, .max = 50, .unit = "degree heating weeks"},
+           "Heat wave that bleaches a reef; below 3 nothing dies, at 8 most branching corals do");
   v.object("cut", e.cut, "Trees that are felled");
   v.object("prune", e.prune, "Limbs that are taken off");
 }

@@ -54,6 +54,9 @@ struct ModelSize {
   float stem = 0.1f;            ///< diameter of its foot
 };
 
+/// How a colony looks: with its tissue, white without it, or overgrown by turf.
+enum class ColonyState { living, bleached, dead };
+
 /// A few models that are grown once and placed many times over the land, as in a forest.
 struct Sowing {
   int models = 6;          ///< each with its own seed
@@ -62,7 +65,8 @@ struct Sowing {
   SowRules where;
   CopyTint tint;
   std::optional<ModelSize> size;  ///< that all models are fitted to; none: they are as they grow
-  double upright = 1;             ///< 1: as vertical as `place.lean` allows; 0: at right angles to the slope
+  ColonyState state = ColonyState::living;
+  double upright = 1;  ///< 1: as vertical as `place.lean` allows; 0: at right angles to the slope
   std::optional<Vec2>
       present;  ///< part of the year, 0..1, in which copies are above the ground; none: always
 };

@@ -13,6 +13,7 @@
 #include "geometry/far.h"
 #include "geometry/tubes.h"
 #include "motion/unfold.h"
+#include "scene/colony_state.h"
 #include "scene/copy_organs.h"
 #include "world/other_barks.h"
 
@@ -60,8 +61,27 @@ float crown_of(const std::vector<Vec3>& places) {
   return *at;
 }
 
+/// Stretches bodies to a size, together.
+void fit_to(Solids& solids, const ModelSize& size) {
+  Bounds box = bounds_of(solids);
+  float across = size.crown / std::max({box.high.x, -box.low.x, box.high.z, -box.low.z, 1e-3f}),
+        up = size.height / std::max(box.high.y, 1e-3f);
+  Solids fitted;
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    Solid& shape = solids.shapes[solids.shape[i]];
+    Solid own{.surface = shape.surface, .material = shape.material};
+    for (std::size_t v = 0; v < own.surface.position.size(); ++v)
+      own.surface.position[v] = Vec3(across, up, across) * solids.placed(i, shape.surface.position[v]);
+    for (Vec3& n : own.surface.normal)
+      n = glm::normalize(solids.turn[i] * (n / solids.scale[i]) / Vec3(across, up, across));
+    fitted.place(fitted.add_shape(std::move(own)));
+  }
+  solids = std::move(fitted);
+}
+
 /// Stretches a plant to a size: its leaves keep their shape.
 void fit_to(Model& model, const ModelSize& size) {
+  if (model.solids.size() > 0) fit_to(model.solids, size);
   Skeleton& bones = model.skeleton;
   if (bones.size() < 2) return;
   float height = 1e-3f;
@@ -91,6 +111,8 @@ std::string copy_id(const Organism& organism, int which, bool bare) {
                                organism.sown->crowd, organism.place.size_variation, bare ? " bare" : "");
   if (const auto& size = organism.sown->size)
     id += fmt::format(" {} {} {}", size->height, size->crown, size->stem);
+  if (organism.sown->state != ColonyState::living)
+    id += organism.sown->state == ColonyState::dead ? " dead" : " bleached";
   return made_id(id);
 }
 
@@ -125,6 +147,7 @@ Organs copy_organs(const Organism& organism, int which, const Model& full, const
 Appearance copy_appearance(const Organism& organism) {
   Appearance appearance = organism.grower->appearance();
   add_other_barks(appearance.look.branches, edits_of(organism.edits, std::nullopt));
+  if (auto& skin = appearance.look.branches.skin) skin = skin_in(*skin, organism.sown->state);
   return appearance;
 }
 
@@ -138,6 +161,8 @@ Result<Model> grow_copy(const Organism& organism, int which, bool full_leaf) {
   edit_model(*model, edits);
   if (appearance.season && !full_leaf) in_season(*model, *appearance.season, 0, seed.child("season"));
   if (organism.sown->size) fit_to(*model, *organism.sown->size);
+  for (Solid& solid : model->solids.shapes)
+    solid.material = material_in(solid.material, organism.sown->state);
   float depth = depth_of(*organism.grower, *model);
   for (auto* places : {&model->skeleton.position, &model->organs.position, &model->blades.surface.position})
     for (Vec3& p : *places) p.y -= depth;

@@ -297,13 +297,17 @@ void describe(Properties& v, Preset& p) {
   v.object("film", p.film, "Length, size and quality of the film");
   v.object("scene", p.setup, "Everything but the organisms: surroundings, light and camera");
   v.list("events", p.events, Count{0, 1000},
-         "What happens once in the lives of the trees of the kind tree: storms, fellings, prunings");
+         "What happens once in the lives of the trees of the kind tree, or to the reef: storms, heat waves, "
+         "fellings, prunings");
   v.object("plan", p.plan,
            "A plan of rooms and ways that a grammar lays out by the preset's seed; the ground of a garden "
            "follows it");
   v.object(
       "stand", p.stand,
       "The trees of a piece of land over centuries, simulated year by year; `frond stand` draws its figures");
+  v.object("reef", p.reef,
+           "The colonies of a piece of sea floor over a century, simulated year by year; `frond stand` draws "
+           "its figures");
   v.inheriting_list({}, p.organisms, organism_kinds(),
                     "What grows and stands in the scene, one entry for each kind of thing");
 }

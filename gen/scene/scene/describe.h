@@ -16,6 +16,7 @@ inline constexpr Range kSides{.min = 16, .max = 16384, .unit = "pixels"};
 
 void describe(Properties& v, PlanText& p);
 void describe(Properties& v, StandText& s);
+void describe(Properties& v, ReefText& r);
 void describe(Properties& v, Preset& p);
 
 }  // namespace frond

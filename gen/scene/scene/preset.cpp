@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <tuple>
 
 #include "core/assets.h"
 #include "preset/fault.h"
@@ -149,29 +150,40 @@ void check_named(const Preset& preset, const Value& root, Faults& faults) {
     require_one(preset.setup.camera.fit[i], fmt::format("/scene/camera/fit/{}", i), "fit");
 }
 
-/// An organism that trees are to be drawn as and that is not there, or is not sown.
+/// An organism that trees or colonies are to be drawn as and that is not there, or is not sown.
 void check_drawn_as(const Preset& preset, const std::string& name, const std::string& pointer,
-                    Faults& faults) {
+                    std::string_view what, Faults& faults) {
   require_name(names_of(preset, [](const Organism& o) { return o.sown.has_value(); }), name, *preset.written,
-               pointer, fmt::format("no organism \"{}\" that is sown, to draw these trees as", name),
+               pointer, fmt::format("no organism \"{}\" that is sown, to draw these {} as", name, what),
                "; expected the \"name\" of one with \"sown\"", faults);
 }
 
-void check_stand(const Preset& preset, Faults& faults) {
-  for (Error& error : stand_faults(*preset.stand)) {
-    std::string pointer = "/stand" + error.where;
+/// A stand or a reef at `where`, whose own faults are `found`.
+void check_dynamics(const Preset& preset, const std::string& where, const auto& text, Errors found,
+                    std::string_view what, Faults& faults) {
+  for (Error& error : found) {
+    std::string pointer = where + error.where;
     faults.add({origin_at(*preset.written, pointer), pointer, std::move(error.what)});
   }
-  for (std::size_t i = 0; i < preset.stand->species.size(); ++i)
-    if (const std::string& name = preset.stand->species[i].organism; !name.empty())
-      check_drawn_as(preset, name, fmt::format("/stand/species/{}/organism", i), faults);
+  for (std::size_t i = 0; i < text.species.size(); ++i)
+    if (const std::string& name = text.species[i].organism; !name.empty())
+      check_drawn_as(preset, name, fmt::format("{}/species/{}/organism", where, i), what, faults);
+}
+
+void check_stand_or_reef(const Preset& preset, Faults& faults) {
+  const auto& [stand, reef] = std::tie(preset.stand, preset.reef);
+  if (stand) check_dynamics(preset, "/stand", *stand, stand_faults(*stand), "trees", faults);
+  if (reef) check_dynamics(preset, "/reef", *reef, reef_faults(*reef), "colonies", faults);
+  if (stand && reef)
+    faults.add(
+        {origin_at(*preset.written, "/reef"), "/reef", "found beside a stand; expected one of the two"});
 }
 
 /// The trees of the far land, and climates in which nothing would end.
 void check_altitudes(const Preset& preset, Faults& faults) {
   if (const auto& far = preset.setup.far)
     for (std::size_t i = 0; i < far->trees.size(); ++i)
-      check_drawn_as(preset, far->trees[i], fmt::format("/scene/far/trees/{}", i), faults);
+      check_drawn_as(preset, far->trees[i], fmt::format("/scene/far/trees/{}", i), "trees", faults);
   for (std::size_t i = 0; i < preset.organisms.size(); ++i) {
     const std::optional<Sowing>& sown = preset.organisms[i].sown;
     if (!sown || !sown->where.warmth || sown->where.warmth->full > sown->where.warmth->least) continue;
@@ -303,7 +315,7 @@ Result<Preset> read_preset(std::string_view text, const std::string& file_name,
   double reach = settings()[preset->setup.setting].answers.extent(preset->setup).reach;
   for (Error& error : furnish(*preset, reach, warnings))
     faults.add({origin_at(*preset->written, error.where), error.where, std::move(error.what)});
-  if (preset->stand) check_stand(*preset, faults);
+  check_stand_or_reef(*preset, faults);
   check_altitudes(*preset, faults);
   for (std::size_t i = 0; i < preset->organisms.size(); ++i) {
     const Value& written = preset->written->find("organisms")->items[i];

@@ -10,6 +10,7 @@
 
 #include "core/events.h"
 #include "core/result.h"
+#include "dynamics/reef.h"
 #include "dynamics/stand.h"
 #include "organisms/organism.h"
 #include "plan/plan.h"
@@ -33,9 +34,10 @@ struct Preset {
   Palettes palettes;
   Film film;
   SceneSetup setup;
-  std::vector<Event> events;  ///< in the lives of its trees
+  std::vector<Event> events;  ///< in the lives of its trees or colonies
   std::optional<PlanText> plan;
   std::optional<StandText> stand;
+  std::optional<ReefText> reef;
   std::vector<Organism> organisms;
 
   std::string text;                          ///< what it was read from, overrides included, as canonical JSON

@@ -18,6 +18,7 @@
 #include "scene/feeding.h"
 #include "scene/fit.h"
 #include "scene/rain.h"
+#include "scene/reef.h"
 #include "scene/remarks.h"
 #include "scene/shading.h"
 #include "scene/snow.h"
@@ -165,6 +166,7 @@ Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, Specime
   watch.step();
   ground->strew(taken);
   sow_copies(scene, preset, *ground, taken.list());
+  if (preset.reef) add_reef(scene, preset, *ground, reef_history(preset));
   if (preset.stand) add_stand(scene, preset, *ground, stand_history(preset, *ground));
   std::vector<Bed> beds = set_feet(preset, std::move(plots), *ground);
   watch.step();
@@ -219,7 +221,7 @@ Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, Specime
   note_camera(scene, preset);
   note_growth(scene, preset);
   for (const Organism& organism : preset.organisms)
-    if (organism.count > 0 || (organism.sown && (preset.stand || preset.setup.far))) {
+    if (organism.count > 0 || (organism.sown && (preset.stand || preset.reef || preset.setup.far))) {
       Look look = organism.grower->appearance().look;
       add_other_barks(look.branches, organism.edits);
       std::ranges::move(drawings(look), std::back_inserter(scene.drawings));

@@ -42,6 +42,11 @@ StandHistory stand_history(const Preset& preset, const Grounds& ground) {
   return simulate_stand(options, land, Seed{preset.seed}.child("stand"));
 }
 
+StandFilm stand_film(const Film& film, const std::optional<Vec2>& shown, int years) {
+  Vec2 all = shown.value_or(Vec2(0, years));
+  return {film.frames <= 1 ? all.y - 0.01 : double{all.x}, double{all.y}, film.length()};
+}
+
 StandHistory stand_history(const Preset& preset) {
   const StandText& text = *preset.stand;
   const SettingAnswers& setting = settings()[preset.setup.setting].answers;

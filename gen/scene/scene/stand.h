@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <optional>
+
 #include "scene/scene.h"
 
 namespace frond {
@@ -8,6 +11,17 @@ namespace frond {
 /// seed decides it.
 StandHistory stand_history(const Preset& preset);
 StandHistory stand_history(const Preset& preset, const Grounds& ground);
+
+/// The years of a stand or a reef that a film shows.
+struct StandFilm {
+  double from = 0, to = 1;  ///< years
+  double length = 1;        ///< seconds
+
+  double time(double year) const { return length * (year - from) / std::max(1e-6, to - from); }  ///< seconds
+};
+
+/// The film of these years, or else of all; a still is one of the last year that hardly moves.
+StandFilm stand_film(const Film& film, const std::optional<Vec2>& shown, int years);
 
 /// Draws the trees of a preset's stand over its years as copies that come, grow, die, fall and rot: adds to
 /// `scene.copy_sets`. Each of its species has a library: the models of the organism that it names, grown

@@ -107,6 +107,10 @@ class Finder {
     bool set = setting && setting->origin.line == 0;
     for (const SettingRow& row : settings()) note_block(row.block, set);
     for (std::string_view block : {"floor", "snow", "rain", "air", "year"}) note_block(block, set);
+    const Value* events = preset_.written->find("events");
+    for (std::size_t i = 0; events && !preset_.reef && i < events->items.size(); ++i)
+      if (const Value* heat = events->items[i].find("heat"))
+        note(*heat, fmt::format("/events/{}/heat", i), "it is for a preset with a reef");
     const Value* organisms = preset_.written->find("organisms");
     for (std::size_t i = 0; i < preset_.organisms.size(); ++i)
       note_organism(preset_.organisms[i], organisms->items[i], fmt::format("/organisms/{}", i));

@@ -28,14 +28,6 @@ constexpr double kWood = 0.8;     // share of the sky that a closed wood hides
 constexpr float kOverhead = 8;    // metres: lower trees leave the light to a camera
 constexpr double kLooked = 12;    // metres before the camera, and to all sides from there, that are looked at
 
-/// The years of a stand that a film shows.
-struct StandFilm {
-  double from = 0, to = 1;  // years
-  double length = 1;        // seconds
-
-  double time(double year) const { return length * (year - from) / std::max(1e-6, to - from); }  // seconds
-};
-
 /// A height of the library, and what trees of that height measure on average.
 struct Stature {
   float height = 1, diameter = 0.01f, crown = 0.5f;  // metres
@@ -320,10 +312,7 @@ Copies undergrowth(const CopySet& set, const std::vector<Crowns>& crowns, const 
 
 void add_stand(Scene& scene, const Preset& preset, const Grounds& ground, const StandHistory& history) {
   const StandText& text = *preset.stand;
-  Vec2 shown = text.shown.value_or(Vec2(0, text.years));
-  bool still = preset.film.frames <= 1;
-  // A still is a film that hardly moves.
-  StandFilm film{still ? shown.y - 0.01 : double{shown.x}, double{shown.y}, preset.film.length()};
+  StandFilm film = stand_film(preset.film, text.shown, text.years);
   std::vector<Crowns> crowns;
   for (double year = film.from; year < film.to + kSpread; year += kSpread)
     crowns.push_back(crowns_at(history, std::min<double>(year, history.years)));
