@@ -20,7 +20,7 @@ const char* const kText = R"({
            {"name": "branching", "organism": "staghorn"}, "massive"]},
   "events": [{"year": 30, "heat": 9}, {"year": 50, "storm": 0.8}],
   "organisms": [
-    {"kind": "massive", "name": "mound", "count": 0, "sown": {"models": 2}, "edge": 0.03, "relief": "plain"},
+    {"kind": "massive", "name": "mound", "count": 0, "sown": {"models": 2}, "across": 0.4, "height": 0.24, "edge": 0.03, "relief": "plain"},
     {"kind": "coral", "name": "staghorn", "count": 0, "sown": {"models": 2}, "steps": 2}]})";
 
 class ReefFilm : public testing::Test {

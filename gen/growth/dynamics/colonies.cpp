@@ -30,7 +30,7 @@ using enum ColonyName;
 // clang-format off
 constexpr std::array<ColonySpecies, kColonyNames> kColonies{{
     //                        grows rises widest tallest slender foot crown
-    {ColonyName::tabular,     6.0,  3.5,  2.6,  0.6,  0.45, 0.22, 0.25,
+    {ColonyName::tabular,     6.0,  3.0,  2.6,  0.5,  0.32, 0.22, 0.25,
     // rank shade bears  arrive larvae
        5,   0.80, 0.15,  0.70,  4.0,
     // young dies injury  csf  exp  heat  reattach stands rubble

@@ -15,6 +15,7 @@ constexpr float kStraight = 0.06f;   // of the radius, by which growth may diffe
 constexpr double kPaling = 0.3;      // years before its death that a colony is bleached
 constexpr double kWhite = 0.35;      // years for which the skeleton is white
 constexpr float kEroded = 0.75f;     // share of its size that is left of a skeleton at its end
+constexpr double kAfter = 1e-3;      // years for which what lives at the end is there after it
 constexpr double kTumbled = 2.4;     // radians that a dislodged colony is turned over
 
 /// Places the lives of a reef's history as copies of models.
@@ -91,16 +92,19 @@ class Colonies {
   /// Years at which the spans of a life up to a year begin and end: between them growth is nearly even.
   std::vector<double> turns_of(std::uint32_t i, double until) const {
     const ColonyLife& life = history_.lives[i];
-    std::span<const ColonySize> sizes = std::span(history_.sizes).subspan(life.first, life.count);
+    std::vector<ColonySize> sizes;
+    for (const ColonySize& size : std::span(history_.sizes).subspan(life.first, life.count))
+      if (size.year < until) sizes.push_back(size);
+    sizes.push_back(size_at(history_, i, until));
     std::vector<double> years{sizes[0].year};
     std::size_t begun = 0;
-    for (std::size_t k = 1; k + 1 < sizes.size() && sizes[k + 1].year < until; ++k) {
+    for (std::size_t k = 1; k + 1 < sizes.size(); ++k) {
       const ColonySize &a = sizes[begun], &b = sizes[k + 1];
       bool even = true;
       for (std::size_t m = begun + 1; m <= k; ++m) {
-        float t = (sizes[m].year - a.year) / (b.year - a.year);
-        even = even &&
-               std::abs(std::lerp(a.radius, b.radius, t) - sizes[m].radius) <= kStraight * sizes[m].radius;
+        float radius = std::lerp(a.radius, b.radius, (sizes[m].year - a.year) / (b.year - a.year));
+        float least = std::min({sizes[m - 1].radius, sizes[m].radius, sizes[m + 1].radius});
+        even = even && std::abs(radius - sizes[m].radius) <= kStraight * least;
       }
       if (!even) years.push_back(sizes[begun = k].year);
     }
@@ -110,7 +114,7 @@ class Colonies {
 
   void place(std::vector<CopySet>& sets, std::uint32_t i) const {
     const ColonyLife& life = history_.lives[i];
-    double end = history_.years + 1, died = std::min<double>(life.died, end),
+    double end = history_.years + kAfter, died = std::min<double>(life.died, end),
            gone = std::min<double>(life.gone, end);
     bool heat = life.cause == ColonyDeath::heat;
     double pales = heat ? std::max<double>(life.born, died - kPaling) : died;
