@@ -22,6 +22,7 @@ namespace frond {
 namespace {
 
 constexpr std::uint64_t kShapes = 7;  // another number gives other shapes
+constexpr float kRipe = 0.87f;        // share of its growth up to which the skin of a body is hardly paler
 
 /// The seed of a model. It depends on nothing that its organism says, so that what is changed there changes
 /// no more than it tells.
@@ -72,6 +73,8 @@ void fit_to(Solids& solids, const ModelSize& size) {
     Solid own{.surface = shape.surface, .material = shape.material};
     for (std::size_t v = 0; v < own.surface.position.size(); ++v)
       own.surface.position[v] = Vec3(across, up, across) * solids.placed(i, shape.surface.position[v]);
+    // What is fitted is of any age: no more of it has just grown than of others.
+    for (Vec2& uv : own.surface.uv) uv.y = std::min(uv.y, kRipe);
     for (Vec3& n : own.surface.normal)
       n = glm::normalize(solids.turn[i] * (n / solids.scale[i]) / Vec3(across, up, across));
     fitted.place(fitted.add_shape(std::move(own)));
