@@ -1,4 +1,3 @@
-
 #include "scene/stand.h"
 #include "cli/commands.h"
 #include "cli/inputs.h"
@@ -8,7 +7,6 @@
 #include "dynamics/plots.h"
 #include "dynamics/reef_plots.h"
 #include "scene/reef.h"
-#include "scene/stand.h"
 
 namespace frond {
 
