@@ -14,13 +14,13 @@ inline constexpr int kSurfelDecimals = 3, kSurfelAreaDecimals = 6;
 /// A bit of what a model is made of, its foot at the origin. Metres.
 struct Surfel {
   Vec3 at{0};
-  float area = 0;               ///< m2, of leaves as if they lay apart
-  float wide = 0;               ///< metres of the cube that it fills
-  Vec3 albedo{0};               ///< linear
-  float bulk = 0;               ///< metres across of the bodies it is of, about; 0 of leaves
-  Facing facing = kAllFacings;  ///< of the model as it was grown; known of finer ones only
-  int halvings = 0;             ///< how often its cube is halved for `finer`; 0: not at all
-  std::vector<Surfel> finer;    ///< the same surfaces, for what is too near for the whole
+  float area = 0;                  ///< m2, of leaves as if they lay apart
+  float wide = 0;                  ///< metres of the cube that it fills
+  Vec3 albedo{0};                  ///< linear
+  float bulk = 0;                  ///< metres across of the bodies it is of, about; 0 of leaves
+  Facing facing = kAllFacings;     ///< of the model as it was grown; known of finer ones only
+  int halvings = 0;                ///< how often its cube is halved for `finer`; 0: not at all
+  std::vector<Surfel> finer = {};  ///< the same surfaces, for what is too near for the whole
 
   bool operator==(const Surfel&) const = default;
 };
