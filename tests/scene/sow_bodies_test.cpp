@@ -83,7 +83,7 @@ TEST(SowBodies, AreSunkAlongTheNormal) {
 TEST(SowBodies, OnlyTheLowestLayerGrowsUpToColonies) {
   auto nearest = [](const std::string& layer) {
     Scene scene = *on_boulder(
-        R"({"kind": "massive", "across": 0.8, "relief": "plain", "edge": 0.04, "place": {"at": [[0, 0]], "on": ["boulder"]}}, )" +
+        R"({"kind": "massive", "across": 0.8, "relief": "plain", "edge": 0.02, "place": {"at": [[0, 0]], "on": ["boulder"]}}, )" +
         tufts(400, R"(, "slope": 90, "layer": ")" + layer + '"'));
     auto met = skin(scene).crossing(DVec3(0, 9, 0), DVec3(0, -9, 0));
     Vec3 foot(0, 9 - 18 * met->share, 0);
