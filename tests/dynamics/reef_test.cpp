@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "core/parallel.h"
+#include "dynamics/reef_floor.h"
 #include "dynamics/reef_plots.h"
 
 namespace frond {
@@ -104,6 +105,25 @@ TEST(Reef, SharesOfTheFloorAddUpToOne) {
       EXPECT_NEAR(year.colony_cover() + year.macroalgae + year.coralline + year.rubble + year.turf, 1, 1e-9);
       EXPECT_GE(year.rugosity, 1 - 1e-9);
     }
+  }
+}
+
+TEST(Reef, FloorsOfAnySizeAreSurveyedAsLargeAsTheyAre) {
+  Colony mound{.species = 0, .x = 0, .z = 0, .radius = 0.3, .height = 0.3};
+  const ColonySpecies kinds[] = {species(ColonyName::massive)};
+  for (Vec2 area : {Vec2(1.2f, 1.2f), Vec2(1.01f, 1.9f), Vec2(2, 3)}) {
+    ReefYear year = ReefFloor(area).survey(std::span(&mound, 1), kinds);
+    EXPECT_NEAR(year.cover[0] * static_cast<double>(area.x * area.y), kPi * 0.09, 0.012) << area.x;
+  }
+}
+
+TEST(Reef, RubbleLiesWhereItFalls) {
+  for (Vec2 area : {Vec2(4), Vec2(4.2f, 3.9f)}) {
+    ReefFloor floor(area);
+    floor.strew(9, 0, 1), floor.strew(0, -9, 1);
+    EXPECT_EQ(floor.survey({}, {}).rubble, 0);
+    floor.strew(0.1, 0.1, 1);
+    EXPECT_NEAR(floor.survey({}, {}).rubble * static_cast<double>(area.x * area.y), 1, 1e-5);
   }
 }
 

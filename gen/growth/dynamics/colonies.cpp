@@ -80,7 +80,7 @@ constexpr std::array<ColonyRate, kColonyRates> kRates{{
     {"injury", &S::injury, 0, 0.9, "", "Share of its area that a colony loses in a year to predators, disease and sand"},
     {"shape_factor", &S::shape_factor, 0.001, 1000, "", "Colony shape factor of Madin and Connolly 2006 at a diameter of 1 m: the higher, the weaker are the waves that dislodge it"},
     {"top_heavy", &S::top_heavy, 0, 3, "", "Exponent by which the shape factor rises with the diameter"},
-    {"lethal_heat", &S::lethal_heat, 0.5, 100, "degree heating weeks", "Heat of which half of the colonies die"},
+    {"lethal_heat", &S::lethal_heat, 4.5, 100, "degree heating weeks", "Heat of which half of the colonies die"},
     {"reattach", &S::reattach, 0, 1, "", "Share of the dislodged colonies of which a fragment grows on where it comes to lie"},
     {"skeleton", &S::skeleton, 0, 500, "years", "How long a dead colony stands"},
     {"rubble", &S::rubble, 0, 3, "", "Area that a broken colony covers with rubble over its own"},

@@ -7,6 +7,22 @@
 
 namespace frond {
 
+namespace {
+
+constexpr double kMostColonies = 2e7;  // that may come over all years
+
+/// Up to how many colonies come over all years, where the ground is always free.
+double colonies_of(const ReefOptions& options) {
+  double on_m2 = 0, larvae = 0;
+  for (const ColonySpecies& kind : options.species)
+    on_m2 += kind.arrival, larvae = std::max(larvae, kind.larvae);
+  on_m2 = options.settling ? options.years * (on_m2 + larvae) : 0;
+  for (const Outplant& plants : options.planted) on_m2 += plants.density;
+  return static_cast<double>(options.area.x) * static_cast<double>(options.area.y) * on_m2;
+}
+
+}  // namespace
+
 double ReefYear::colony_cover() const {
   double sum = 0;
   for (double share : cover) sum += share;
@@ -50,6 +66,14 @@ Errors reef_faults(const ReefText& text) {
       faults.push_back({fmt::format("/planted/{}/name", i),
                         fmt::format("\"{}\" is not among the species of the reef; expected one of them",
                                     name_of(text.planted[i].name))});
+  if (double colonies = colonies_of(options_of(text)); colonies > kMostColonies)
+    faults.push_back(error_at("/area",
+                              "up to {:.2g} colonies would come; expected {:g} at most, by a smaller area, "
+                              "fewer years or lower rates",
+                              colonies, kMostColonies));
+  if (text.shown && (text.shown->x > text.shown->y || text.shown->y > static_cast<float>(text.years)))
+    faults.push_back(error_at("/shown", "found {:g} to {:g}; expected years in order, up to the last one, {}",
+                              text.shown->x, text.shown->y, text.years));
   return faults;
 }
 

@@ -121,7 +121,8 @@ struct ReefText {
 /// Without events, which are not the reef's own.
 ReefOptions options_of(const ReefText& text);
 
-/// Faults of a reef, each at a pointer below it: species named twice, planted ones that it does not have.
+/// Faults of a reef, each at a pointer below it: species named twice, planted ones that it does not have,
+/// more colonies than there is memory for, years shown that are not simulated.
 Errors reef_faults(const ReefText& text);
 
 /// Simulates all years. The same bytes at any number of threads.

@@ -7,7 +7,7 @@ namespace frond {
 
 namespace {
 
-constexpr double kFloorCell = 0.5;   // metres
+constexpr double kFloorCell = 0.5;   // metres, the widest cell
 constexpr int kDots = 10;            // of a survey along the side of a cell
 constexpr int kSteps = 12;           // of algae in a year
 constexpr double kSpores = 0.02;     // 1/year: turf on which macroalgae come up from afar
@@ -26,21 +26,23 @@ double surface_at(const ColonyShape& shape, double share) {
 ReefFloor::ReefFloor(Vec2 area) : area_(area) {
   columns_ = std::max(1, static_cast<int>(std::ceil(static_cast<double>(area.x) / kFloorCell)));
   rows_ = std::max(1, static_cast<int>(std::ceil(static_cast<double>(area.y) / kFloorCell)));
+  wide_ = static_cast<double>(area.x) / columns_, deep_ = static_cast<double>(area.y) / rows_;
   cells_.resize(static_cast<std::size_t>(columns_ * rows_));
 }
 
 std::size_t ReefFloor::index(double x, double z) const {
-  auto number = [](double at, float side, int count) {
-    return std::clamp(static_cast<int>(std::floor((at + static_cast<double>(side) / 2) / kFloorCell)), 0,
+  auto number = [](double at, float side, double cell, int count) {
+    return std::clamp(static_cast<int>(std::floor((at + static_cast<double>(side) / 2) / cell)), 0,
                       count - 1);
   };
-  return static_cast<std::size_t>(number(z, area_.y, rows_) * columns_ + number(x, area_.x, columns_));
+  return static_cast<std::size_t>(number(z, area_.y, deep_, rows_) * columns_ +
+                                  number(x, area_.x, wide_, columns_));
 }
 
 const FloorCell& ReefFloor::at(double x, double z) const { return cells_[index(x, z)]; }
 
 ReefYear ReefFloor::survey(std::span<const Colony> colonies, std::span<const ColonySpecies> species) {
-  constexpr double kStep = kFloorCell / kDots;
+  double step_x = wide_ / kDots, step_z = deep_ / kDots;
   int across = columns_ * kDots, along = rows_ * kDots;
   std::vector<double> height(static_cast<std::size_t>(across * along), 0);
   std::vector<int> top(height.size(), -1);
@@ -51,14 +53,14 @@ ReefYear ReefFloor::survey(std::span<const Colony> colonies, std::span<const Col
   for (const Colony& c : colonies) {
     if (c.radius >= 0.025) year.colonies += 1 / ground;
     ColonyShape shape = shape_of(species[c.species], c.radius, c.height);
-    auto first = [&](double at, double low) {
-      return std::max(0, static_cast<int>(std::ceil((at - c.radius - low) / kStep - 0.5)));
+    auto first = [&](double at, double low, double step) {
+      return std::max(0, static_cast<int>(std::ceil((at - c.radius - low) / step - 0.5)));
     };
-    for (int j = first(c.z, low_z); j < along; ++j) {
-      double dz = low_z + (j + 0.5) * kStep - c.z;
+    for (int j = first(c.z, low_z, step_z); j < along; ++j) {
+      double dz = low_z + (j + 0.5) * step_z - c.z;
       if (dz > c.radius) break;
-      for (int i = first(c.x, low_x); i < across; ++i) {
-        double dx = low_x + (i + 0.5) * kStep - c.x, share = std::hypot(dx, dz) / c.radius;
+      for (int i = first(c.x, low_x, step_x); i < across; ++i) {
+        double dx = low_x + (i + 0.5) * step_x - c.x, share = std::hypot(dx, dz) / c.radius;
         if (dx > c.radius) break;
         auto dot = static_cast<std::size_t>(j * across + i);
         if (double h = surface_at(shape, share); share <= 1 && h >= height[dot])
@@ -75,9 +77,9 @@ ReefYear ReefFloor::survey(std::span<const Colony> colonies, std::span<const Col
         cells_[static_cast<std::size_t>(j / kDots * columns_ + i / kDots)].free += 1.0 / (kDots * kDots);
       else
         year.cover[static_cast<std::size_t>(top[dot])] += 1 / dots;
-      if (i > 0) surface += std::hypot(kStep, height[dot] - height[dot - 1]);
+      if (i > 0) surface += std::hypot(step_x, height[dot] - height[dot - 1]);
     }
-  year.rugosity = across > 1 ? surface / (along * (across - 1) * kStep) : 1;
+  year.rugosity = across > 1 ? surface / (along * (across - 1) * step_x) : 1;
   for (FloorCell& cell : cells_) {
     cell.macroalgae = std::min(cell.macroalgae, cell.free);
     cell.coralline = std::min(cell.coralline, cell.free - cell.macroalgae);
@@ -120,11 +122,13 @@ void ReefFloor::grow_year(const ReefOptions& options) {
 
 void ReefFloor::strew(double x, double z, double area) {
   // On as many cells as it takes, each covered by a half.
-  int reach = static_cast<int>(std::ceil(std::sqrt(2 * area) / kFloorCell / 2));
-  double side = 2 * reach + 1, each = area / (side * side * kFloorCell * kFloorCell);
+  int reach = static_cast<int>(std::ceil(std::sqrt(area / (2 * wide_ * deep_))));
+  double side = 2 * reach + 1, each = area / (side * side * wide_ * deep_);
   for (int j = -reach; j <= reach; ++j)
     for (int i = -reach; i <= reach; ++i) {
-      FloorCell& cell = cells_[index(x + i * kFloorCell, z + j * kFloorCell)];
+      double at_x = x + i * wide_, at_z = z + j * deep_;
+      if (2 * std::abs(at_x) > wide_ * columns_ || 2 * std::abs(at_z) > deep_ * rows_) continue;
+      FloorCell& cell = cells_[index(at_x, at_z)];
       cell.rubble = std::min(1.0, cell.rubble + each * (1 - cell.rubble));
     }
 }

@@ -19,7 +19,7 @@ struct FloorCell {
   double thicket() const { return free > 0 ? macroalgae / free : 0; }
 };
 
-/// The floor in square cells.
+/// The floor in cells of equal size, about square.
 class ReefFloor {
  public:
   explicit ReefFloor(Vec2 area);
@@ -32,7 +32,7 @@ class ReefFloor {
   /// Lets algae grow for a year, and rubble be bound.
   void grow_year(const ReefOptions& options);
 
-  /// Strews rubble that covers so many m2 about a place.
+  /// Strews rubble that covers so many m2 about a place; what falls beside the floor is gone.
   void strew(double x, double z, double area);
 
  private:
@@ -40,6 +40,7 @@ class ReefFloor {
 
   Vec2 area_;
   int columns_ = 1, rows_ = 1;
+  double wide_ = 0, deep_ = 0;  ///< metres, of a cell along x and z
   std::vector<FloorCell> cells_;
 };
 

@@ -66,6 +66,9 @@ Errors stand_faults(const StandText& text) {
   };
   for (std::size_t i = 0; i < text.planted.size(); ++i)
     known(fmt::format("/planted/{}/name", i), text.planted[i].name);
+  if (text.shown && (text.shown->x > text.shown->y || text.shown->y > static_cast<float>(text.years)))
+    faults.push_back(error_at("/shown", "found {:g} to {:g}; expected years in order, up to the last one, {}",
+                              text.shown->x, text.shown->y, text.years));
   return faults;
 }
 

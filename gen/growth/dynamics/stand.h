@@ -139,7 +139,8 @@ struct StandText {
 /// Without events, which are not the stand's own.
 StandOptions options_of(const StandText& text);
 
-/// Faults of a stand, each at a pointer below it: species named twice, planted ones that it does not have.
+/// Faults of a stand, each at a pointer below it: species named twice, planted ones that it does not have,
+/// years shown that are not simulated.
 Errors stand_faults(const StandText& text);
 
 /// The ground at a place.
