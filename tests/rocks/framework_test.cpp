@@ -94,6 +94,15 @@ TEST(Framework, IsHollowedByBoring) {
   }
 }
 
+TEST(Framework, IsThereInCellsOfAnyTolerance) {
+  Framework low{.height = 0.2, .colonies = 0};
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    Surface reef = framework_surface(low, kSize, {1.0 / 128, 0.1}, Seed{i});
+    ASSERT_FALSE(reef.triangle.empty()) << i;
+    EXPECT_EQ(body_of(reef).loose, 0u) << i;
+  }
+}
+
 TEST(Framework, HasNoSmoothPart) {
   constexpr float kPatch = 0.06f;  // metres
   RockShape boulder;

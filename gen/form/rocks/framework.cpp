@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 
 #include "core/joined_sets.h"
 #include "core/noise.h"
@@ -15,8 +16,9 @@ namespace frond {
 
 namespace {
 
-constexpr float kCement = 0.012f;     // width of the fillets between colonies
-constexpr float kFinestDome = 0.05f;  // radius of the small domes for which the tolerance counts
+constexpr float kCement = 0.012f;      // width of the fillets between colonies
+constexpr float kFinestDome = 0.05f;   // radius of the small domes for which the tolerance counts
+constexpr float kWidestCell = 0.125f;  // of the height: wider ones would miss a low framework
 
 /// A part of a dead colony: a cone with round ends, or a disc across the axis of a cone without length, whose
 /// radius is then half of the thickness of the disc.
@@ -82,9 +84,10 @@ float left(const Reef& reef, Vec3 at) {
 
 /// The part of a reef that counts near a ball.
 Reef near_ball(const Reef& reef, Vec3 middle, float reach) {
-  Reef near = reef;
-  std::erase_if(near.parts, [&](const Part& part) { return distance(part, middle) > reach; });
-  std::erase_if(near.bores, [&](const RoundCone& bore) { return distance(bore, middle) > reach; });
+  Reef near{{}, {}, reef.shift, reef.erosion, reef.ground, reef.cell};
+  auto counts = [&](const auto& shape) { return distance(shape, middle) <= reach; };
+  std::copy_if(reef.parts.begin(), reef.parts.end(), std::back_inserter(near.parts), counts);
+  std::copy_if(reef.bores.begin(), reef.bores.end(), std::back_inserter(near.bores), counts);
   return near;
 }
 
@@ -293,9 +296,10 @@ Surface framework_surface(const Framework& framework, double size, const Framewo
   assert(size > 0 && framework.colonies >= 0);
   Reef reef = started(framework, cells, seed);
   reef.ground = 0;
+  auto top = static_cast<float>(framework.height);
+  reef.cell = std::min(reef.cell, kWidestCell * top);
   // The older core: heaps beside one another.
   constexpr std::uint64_t kHeaps = 4;
-  auto top = static_cast<float>(framework.height);
   for (std::uint64_t i = 0; i < kHeaps; ++i) {
     Seed own = seed.child("heap", i);
     Vec3 from = random_in(own.child("from"), Vec3(-0.12f, 0, -0.1f), Vec3(0.12f, 0.2f * top, 0.1f));

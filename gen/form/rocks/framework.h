@@ -25,7 +25,7 @@ struct FrameworkCells {
 Surface framework_surface(const Framework& framework, double size, const FrameworkCells& cells, Seed seed);
 
 /// A fragment of a branched coral as it lies in rubble: worn and pitted, its longest side is `size`, its
-/// lowest place on y = 0. Of the framework only `boring` and `erosion` count.
+/// lowest place on y = 0. Of the framework only `erosion` counts.
 Surface rubble_surface(const Framework& framework, double size, const FrameworkCells& cells, Seed seed);
 
 }  // namespace frond
