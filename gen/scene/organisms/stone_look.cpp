@@ -74,7 +74,11 @@ Appearance stone_appearance(const StoneLook& look) {
   return appearance;
 }
 
-Error hollow_rock() { return {"", "these blobs have no inside; a lower level, or more and larger blobs?"}; }
+Error hollow_rock(RockForm form) {
+  if (form == RockForm::blobs)
+    return {"", "these blobs have no inside; a lower level, or more and larger blobs?"};
+  return {"/tolerance", "leaves nothing of such a form; expected a smaller one"};
+}
 
 float height_of(const Surface& surface) {
   float high = 0;
@@ -85,7 +89,7 @@ float height_of(const Surface& surface) {
 Errors check_rock(const RockShape& shape) {
   if (shape.form != RockForm::blobs) return {};
   double count = shape.own.empty() ? shape.chance.count : static_cast<double>(shape.own.size());
-  if (count <= shape.level) return {hollow_rock()};
+  if (count <= shape.level) return {hollow_rock(shape.form)};
   if (shape.own.empty() && shape.chance.least_radius > shape.chance.most_radius)
     return {{"", "least_radius is above most_radius"}};
   return {};
@@ -149,7 +153,7 @@ void describe(Properties& v, StoneLook& s) {
 
 void describe_shape(Properties& v, RockShape& s) {
   v.choice("form", s.form, kForms, "What it is made as. Only blobs have weathering");
-  v.object("framework", s.framework, "How a framework is built. Of rubble only boring and erosion count");
+  v.object("framework", s.framework, "How a framework is built. Of rubble only erosion counts");
   v.list("ellipsoids", s.own, "The blobs that it is made of; without them random ones are taken");
   v.integer("blobs", s.chance.count, {.min = 1, .max = 200}, "Number of random blobs");
   v.number("least_radius", s.chance.least_radius, {.min = 0.01, .max = 100},

@@ -40,8 +40,8 @@ Material material_of(const StoneLook& look, Seed seed);
 
 /// Errors for a shape without an inside, and for ranges with minimum above maximum.
 Errors check_rock(const RockShape& shape);
-/// The error for blobs without an inside, found when they are meshed.
-Error hollow_rock();
+/// The error for a form of which nothing is left when it is meshed.
+Error hollow_rock(RockForm form);
 
 /// Predicted number of triangles of a rock: the smaller of what its tolerance needs and what its finest cells
 /// give.

@@ -47,7 +47,7 @@ Result<Model> build_pebbles(const PebblesParams& params, Seed seed) {
     RockShape shape = params.shape;
     shape.size = middle;  // they are sized as they are laid
     Solid solid{rock_surface(shape, own), material_of(params.stone, own), {}};
-    if (solid.surface.triangle.empty()) return hollow_rock();
+    if (solid.surface.triangle.empty()) return hollow_rock(shape.form);
     height.push_back(height_of(solid.surface));
     solids.add_shape(std::move(solid));
   }

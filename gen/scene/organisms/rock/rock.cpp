@@ -4,8 +4,18 @@
 
 namespace frond {
 
+namespace {
+
+Errors check(const RockParams& params) {
+  if (params.native && params.shape.form != RockForm::blobs)
+    return {{"/native", "is for rocks of blobs; expected false, or the form blobs"}};
+  return check_rock(params.shape);
+}
+
+}  // namespace
+
 Result<Model> build_rock(const RockParams& params, Seed seed) {
-  if (Errors errors = check_rock(params.shape); !errors.empty()) return errors;
+  if (Errors errors = check(params); !errors.empty()) return errors;
   Seed form = seed.child("form");
   Solid solid;
   if (params.native) {
@@ -15,7 +25,7 @@ Result<Model> build_rock(const RockParams& params, Seed seed) {
   } else {
     solid.surface = rock_surface(params.shape, form);
   }
-  if (solid.surface.triangle.empty()) return hollow_rock();
+  if (solid.surface.triangle.empty()) return hollow_rock(params.shape.form);
   solid.material = material_of(params.stone, seed);
   float sunk = static_cast<float>(params.buried) * height_of(solid.surface);
   Model model;
@@ -51,7 +61,7 @@ class RockGrower final : public Described<RockParams, BodyBuilder> {
                                                   "buried"};
 
   Review review() const override {
-    Errors faults = check_rock(params.shape);
+    Errors faults = check(params);
     return {faults.empty() ? check_stone(params.stone) : faults};
   }
   Appearance appearance() const override { return stone_appearance(params.stone); }
