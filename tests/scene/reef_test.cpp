@@ -84,6 +84,7 @@ TEST_F(ReefFilm, DrawsEachLivingColonyOnceAsLargeAsItIs) {
       ASSERT_NE(found, all.end()) << year;
       EXPECT_EQ(found->second.copies, 1);
       EXPECT_NEAR(found->second.size.x, size.radius, 0.1f * size.radius + 0.005f);
+      EXPECT_NEAR(found->second.size.y, size.height, 0.1f * size.height + 0.005f);
       ++drawn;
     }
   }
@@ -108,6 +109,20 @@ TEST_F(ReefFilm, WhatHeatKillsIsWhiteThenUnderTurfAndWhatStormsRollLiesElsewhere
     for (std::size_t i = 0; i < set.copies.size(); ++i)
       rolled += (set.copies.turn[i] * Vec3(0, 1, 0)).y < -0.3f;
   EXPECT_GT(rolled, 3);
+}
+
+TEST(Reef, IsDrawnAsTheFirstOfTheNameThatIsSown) {
+  Result<Preset> preset = read_preset(
+      R"({"scene": {"setting": "underwater"}, "reef": {"area": [2, 2], "years": 12, "species": [{"name": "brain", "arrival": 3, "organism": "brain"}]},
+  "organisms": [{"kind": "massive", "name": "brain", "count": 1},
+    {"kind": "massive", "name": "brain", "count": 0, "sown": {"models": 1}},
+    {"kind": "massive", "name": "brain", "count": 0, "sown": {"models": 1}}]})",
+      "test.json", {});
+  ASSERT_TRUE(preset) << preset.errors().front().text();
+  Result<Scene> built = build_scene(*preset);
+  ASSERT_TRUE(built) << built.errors().front().text();
+  ASSERT_FALSE(built->copy_sets.empty());
+  for (const CopySet& set : built->copy_sets) EXPECT_EQ(set.entry, 1u);
 }
 
 TEST_F(ReefFilm, ModelsAreFittedToTheLargestColoniesAndPaleAsTheyDie) {

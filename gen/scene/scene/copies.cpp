@@ -74,7 +74,8 @@ void fit_to(Solids& solids, const ModelSize& size) {
     for (std::size_t v = 0; v < own.surface.position.size(); ++v)
       own.surface.position[v] = Vec3(across, up, across) * solids.placed(i, shape.surface.position[v]);
     // What is fitted is of any age: no more of it has just grown than of others.
-    for (Vec2& uv : own.surface.uv) uv.y = std::min(uv.y, kRipe);
+    if (is_of_reef(own.material.matter))
+      for (Vec2& uv : own.surface.uv) uv.y = std::min(uv.y, kRipe);
     for (Vec3& n : own.surface.normal)
       n = glm::normalize(solids.turn[i] * (n / solids.scale[i]) / Vec3(across, up, across));
     fitted.place(fitted.add_shape(std::move(own)));

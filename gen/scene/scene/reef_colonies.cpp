@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kSmallest = 0.015f;  // metres, the radius of the smallest that are drawn
 constexpr float kSettled = 0.02f;    // factor of the size as it settles
-constexpr float kStraight = 0.06f;   // of the radius, by which growth may differ from that of a span
+constexpr float kStraight = 0.06f;   // of radius and height, by which growth may differ from that of a span
 constexpr double kPaling = 0.3;      // years before its death that a colony is bleached
 constexpr double kWhite = 0.35;      // years for which the skeleton is white
 constexpr float kEroded = 0.75f;     // share of its size that is left of a skeleton at its end
@@ -102,9 +102,11 @@ class Colonies {
       const ColonySize &a = sizes[begun], &b = sizes[k + 1];
       bool even = true;
       for (std::size_t m = begun + 1; m <= k; ++m) {
-        float radius = std::lerp(a.radius, b.radius, (sizes[m].year - a.year) / (b.year - a.year));
-        float least = std::min({sizes[m - 1].radius, sizes[m].radius, sizes[m + 1].radius});
-        even = even && std::abs(radius - sizes[m].radius) <= kStraight * least;
+        for (float ColonySize::*of : {&ColonySize::radius, &ColonySize::height}) {
+          float straight = std::lerp(a.*of, b.*of, (sizes[m].year - a.year) / (b.year - a.year));
+          float least = std::min({sizes[m - 1].*of, sizes[m].*of, sizes[m + 1].*of});
+          even = even && std::abs(straight - sizes[m].*of) <= kStraight * least;
+        }
       }
       if (!even) years.push_back(sizes[begun = k].year);
     }
@@ -153,9 +155,7 @@ void add_reef(Scene& scene, const Preset& preset, const Grounds& ground, const R
   const ReefText& text = *preset.reef;
   Colonies colonies(preset, ground, history, stand_film(preset.film, text.shown, text.years));
   for (std::uint32_t k = 0; k < text.species.size(); ++k)
-    for (std::size_t entry = 0; entry < preset.organisms.size(); ++entry)
-      if (!text.species[k].organism.empty() && preset.organisms[entry].name == text.species[k].organism)
-        colonies.add(scene, k, entry);
+    if (auto entry = drawn_as(preset, text.species[k].organism)) colonies.add(scene, k, *entry);
 }
 
 }  // namespace frond

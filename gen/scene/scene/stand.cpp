@@ -47,6 +47,13 @@ StandFilm stand_film(const Film& film, const std::optional<Vec2>& shown, int yea
   return {film.frames <= 1 ? all.y - 0.01 : double{all.x}, double{all.y}, film.length()};
 }
 
+std::optional<std::size_t> drawn_as(const Preset& preset, const std::string& name) {
+  if (name.empty()) return std::nullopt;
+  for (std::size_t entry = 0; entry < preset.organisms.size(); ++entry)
+    if (preset.organisms[entry].sown && preset.organisms[entry].name == name) return entry;
+  return std::nullopt;
+}
+
 StandHistory stand_history(const Preset& preset) {
   const StandText& text = *preset.stand;
   const SettingAnswers& setting = settings()[preset.setup.setting].answers;

@@ -23,6 +23,10 @@ struct StandFilm {
 /// The film of these years, or else of all; a still is one of the last year that hardly moves.
 StandFilm stand_film(const Film& film, const std::optional<Vec2>& shown, int years);
 
+/// Index of the first organism of that name that is sown, which trees or colonies are drawn as; none for an
+/// empty name.
+std::optional<std::size_t> drawn_as(const Preset& preset, const std::string& name);
+
 /// Draws the trees of a preset's stand over its years as copies that come, grow, die, fall and rot: adds to
 /// `scene.copy_sets`. Each of its species has a library: the models of the organism that it names, grown
 /// until they have a few heights, alive and dead, and fitted to what trees of the stand of that height

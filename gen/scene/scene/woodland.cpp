@@ -321,9 +321,7 @@ void add_stand(Scene& scene, const Preset& preset, const Grounds& ground, const 
     if (set.organism.sown->where.layer != Layer::canopy) set.copies = undergrowth(set, crowns, film);
   Library library(preset, ground, history, film);
   for (std::uint32_t k = 0; k < text.species.size(); ++k)
-    for (std::size_t entry = 0; entry < preset.organisms.size(); ++entry)
-      if (!text.species[k].organism.empty() && preset.organisms[entry].name == text.species[k].organism)
-        library.add(scene, k, entry);
+    if (auto entry = drawn_as(preset, text.species[k].organism)) library.add(scene, k, *entry);
 }
 
 }  // namespace frond
