@@ -134,6 +134,16 @@ def through_water(folder, metres, lit=False):
     return [linear(c) for c in picture_of(scene, [], folder)[WIDTH * HEIGHT // 2 + WIDTH // 2]]
 
 
+def mirror_in_water(folder, metres):
+    """Red, green and blue of a mirror so far away that shows endless water."""
+    scene = folder / "mirror.pov"
+    scene.write_text(WATER + f"""Water_Setting(<0, 0, 0>, rgb <0.01, 0.2, 0.3>, 5, y, rgb 0, 0, "")
+disc {{ {metres}*z*Frond_Unit, -z + 0.3*y, Frond_Unit pigment {{ rgb 0 }} finish {{ ambient 0 diffuse 0 reflection 1 }} }}
+camera {{ location 0 look_at z angle 0.5 }}
+""")
+    return [linear(c) for c in picture_of(scene, [], folder)[WIDTH * HEIGHT // 2 + WIDTH // 2]]
+
+
 def surface_over_water(folder, metres):
     """Red, green and blue of the surface so far above a camera that looks up, without the water's own light."""
     scene = folder / "surface.pov"
@@ -195,6 +205,10 @@ def main():
         seen = through_water(folder, 0)
         good &= check("endless water shows its backdrop", all(abs(a - b) < 0.03 * b + 0.002 for a, b in zip(seen, HAZE)),
                       " ".join(f"{a:.3f}" for a in seen))
+        seen = mirror_in_water(folder, 2)
+        law = [veil * (math.exp(-2 * c) + 1 - math.exp(-2 * k)) for c, k, veil in zip(DIRECT, BACKSCATTER, HAZE)]
+        good &= check("and what is glossy reflects it", all(abs(a - b) < 0.03 * b + 0.002 for a, b in zip(seen, law)),
+                      " ".join(f"{a:.3f} ({b:.3f})" for a, b in zip(seen, law)))
         # So it does of the sky that stands in the surface, where one looks up.
         near, far = (surface_over_water(folder, metres) for metres in (4, 6))
         fades = [-math.log(b / a) / 2 for a, b in zip(near, far)]
