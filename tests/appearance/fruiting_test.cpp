@@ -231,6 +231,21 @@ TEST(Fruiting, WearsAPictureForEachOfItsColoursWhereItHasABlush) {
   EXPECT_GT(shade, 1.5 * light);
 }
 
+TEST(Fruiting, GoesOnFromItsColourWhereItLies) {
+  const Fruiting fruit;
+  for (double ripe : {0.5, 0.8, 1.0}) {
+    FruitState state{.size = 1, .ripe = ripe, .fallen = 1};
+    std::int32_t before = fruit_color(fruit, state);
+    for (int k = 1; k <= 100; ++k) {
+      state.lain = k / 100.0;
+      const std::int32_t now = fruit_color(fruit, state);
+      EXPECT_TRUE(now == before || now == before + 1) << ripe << ' ' << state.lain;
+      before = now;
+    }
+    EXPECT_EQ(before, 7) << "rot, at the end";
+  }
+}
+
 /// A form is closed, of its length and width, and has a place on its picture everywhere.
 TEST(FruitShapes, AreOfTheirSize) {
   for (FruitForm form : {FruitForm::round, FruitForm::drop, FruitForm::pod, FruitForm::winged,

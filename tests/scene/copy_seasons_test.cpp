@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "masonry/block.h"
 #include "scene/copies.h"
 
 namespace frond {
@@ -110,6 +111,37 @@ TEST(CopySeasons, FruitHangsOnCopiesFromNearAndFromAfar) {
     EXPECT_EQ(areas(bare, level).second, 0) << level;
   }
   EXPECT_TRUE(copy_seasons(sown_tree("{" + kYear + ", " + ripe), Film{.frames = 48}));
+}
+
+/// Cubic metres of the fruit of copies near the camera, as they are drawn, and as they are.
+std::pair<double, double> fruit_volumes(const std::string& fruit, bool film) {
+  const Organism o =
+      sown_tree(R"({"at": 0.7, "evergreen": true, "fruit": {"ripe": [0.5, 0.55], "fall": [0.8, 0.85], )" +
+                fruit + "}}");
+  const Model full = *grow_copy(o, 0, film);
+  const Organs organs = film ? copy_organs(o, 0, full, *o.grower->appearance().season, 0) : full.organs;
+  double drawn = 0, is = 0;
+  for (std::size_t i = 0; i < organs.size(); ++i) {
+    const Prototype& shape = full.prototypes[organs.prototype[i]];
+    const Vec3 sides = organs.scale[i];
+    if (shape.name == kFruit)
+      is += volume(shape.parts[0].surface) * static_cast<double>(sides.x * sides.y * sides.z);
+  }
+  const Look look = o.grower->appearance().look;
+  for (const CopyPart& part : copy_parts(look, full, kLevels[0], nullptr, film ? &organs : nullptr))
+    if (part.kind == CopyPart::Kind::organ && full.prototypes[part.which].name == kFruit)
+      drawn += volume(part.surface);
+  return {drawn, is};
+}
+
+TEST(CopySeasons, FruitOfNearCopiesIsABody) {
+  for (bool film : {false, true}) {
+    const auto [few, of_few] = fruit_volumes(R"("share": 0.02, "size": 0.08)", film);
+    ASSERT_GT(of_few, 0);
+    EXPECT_NEAR(few / of_few, 1, 0.01) << film;
+    const auto [many, of_many] = fruit_volumes(R"("share": 0.6, "size": 0.08)", film);
+    EXPECT_NEAR(many / of_many, 1, 0.35) << film;
+  }
 }
 
 }  // namespace

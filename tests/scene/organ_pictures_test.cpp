@@ -22,14 +22,15 @@ std::string red_and_blue() {
 }
 
 /// A plant of one organ: a square that wears the picture, beside a triangle that wears none.
-Result<Preset> plant_with(const std::string& name, const std::string& corners, const std::string& more) {
+Result<Preset> plant_with(const std::string& name, const std::string& corners, const std::string& more,
+                          const std::string& picture = red_and_blue()) {
   fs::path folder = fs::path(testing::TempDir()) / "frond_organ_pictures" / name;
-  EXPECT_TRUE(write_file(folder / "skin.png", red_and_blue()).ok());
+  EXPECT_TRUE(write_file(folder / "skin.png", picture).ok());
   EXPECT_TRUE(write_file(folder / "tile.mtl", "newmtl skin\nKd 1 1 1\nmap_Kd skin.png\nnewmtl bare\n").ok());
   EXPECT_TRUE(
       write_file(folder / "tile.obj",
                  "mtllib tile.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.125 0.25\nvt 1 0\nvt 1 1\n"
-                 "vt 0 1\nusemtl skin\nf " +
+                 "vt 0 1\nvt 2.125 -0.75\nvt 3 -1\nvt 3 0\nvt 2 0\nusemtl skin\nf " +
                      corners + "\nusemtl bare\nf 1 2 3\n")
           .ok());
   return read_preset(R"({"version": 2, "scene": {"setting": "studio"}, "organisms": [{"kind": "plant",
@@ -82,6 +83,41 @@ TEST(OrganPictures, WithoutTextureCoordinatesAreToldOf) {
   EXPECT_NE(preset->notes[0].text().find("/organisms/0/organs/0/file"), std::string::npos);
   EXPECT_NE(preset->notes[0].text().find("not all of its corners texture coordinates"), std::string::npos);
   EXPECT_TRUE(build_scene(*preset)->specimens[0].look.pictures.empty());
+}
+
+TEST(OrganPictures, ThatLieInAnotherTileLieInTheFirst) {
+  auto laid = [](const char* name, const char* corners) {
+    return build_scene(*plant_with(name, corners, ""))->specimens[0].model.prototypes[0].parts[0].surface.uv;
+  };
+  EXPECT_EQ(laid("tiled", "1/5 2/6 3/7 4/8"), laid("first", "1/1 2/2 3/3 4/4"));
+}
+
+TEST(OrganPictures, OfOpacityHaveTheColourOfWhatIsThere) {
+  // Green that is there, and black that is not.
+  Raster raster(8, 4, 4);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 2; ++x) raster.data[raster.index(x, y, 1)] = raster.data[raster.index(x, y, 3)] = 255;
+  Result<Preset> preset = plant_with("sheer", "1/1 2/2 3/3 4/4", "", *png_text(raster));
+  ASSERT_TRUE(preset);
+  ASSERT_EQ(preset->notes.size(), 1u);
+  EXPECT_NE(preset->notes[0].text().find("\"skin.png\", which has opacity"), std::string::npos);
+  const Specimen plant = build_scene(*preset)->specimens[0];
+  EXPECT_EQ(plant.model.prototypes[0].colors[0].green, 1);
+  Result<std::vector<Picture>> drawn = plant.look.pictures[0].draw();
+  ASSERT_TRUE(drawn);
+  EXPECT_EQ(read_png((*drawn)[0].bytes)->at(6, 1, 1), 255);
+}
+
+TEST(OrganPictures, ThatCannotBeReadAreToldOfAndLeftOut) {
+  auto note_of = [](const char* name, const std::string& picture) {
+    Result<Preset> preset = plant_with(name, "1/1 2/2 3/3 4/4", "", picture);
+    EXPECT_TRUE(preset);
+    EXPECT_TRUE(build_scene(*preset)->specimens[0].look.pictures.empty());
+    EXPECT_EQ(preset->notes.size(), 1u);
+    return preset->notes.empty() ? "" : preset->notes[0].text();
+  };
+  EXPECT_NE(note_of("damaged", red_and_blue().substr(0, 60)).find("\"skin.png\", which"), std::string::npos);
+  EXPECT_NE(note_of("foreign", "GIF89a").find("is a GIF picture; expected a PNG"), std::string::npos);
 }
 
 }  // namespace

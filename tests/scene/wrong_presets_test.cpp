@@ -312,6 +312,11 @@ const WrongPreset kWrongValues[] = {
       "first date, then the last; dates in the next year are above 1",
       "2:54: /organisms/1/season/fruit/fall: found 0.2 to 0.3; expected later dates than those of \"ripe\", "
       "0.68 to 0.74; dates in the next year are above 1"}},
+    {"Fruit with a blush that its form does not show",
+     R"({"organisms": [{"kind": "tree", "season": {"fruit": {"form": "winged", "blush": "#a01010"}}}]})",
+     {},
+     {"1:81: /organisms/0/season/fruit/blush: found a colour, but the form \"winged\" has no side toward the "
+      "light; expected none, or another form"}},
     {"Fruit that is ripe in the year after the next",
      R"({"organisms": [{"kind": "weber_penn", "season": {"fruit": {"ripe": [0.7, 2.1]}}}]})",
      {},

@@ -43,6 +43,8 @@ struct Prototype {
   std::optional<Color> bud = {};      ///< initial colour while the organ unfolds; none: colours do not change
   std::optional<Luster> luster = {};  ///< none: the default of its tissue
   std::size_t summer = 0;  ///< number of summer colours, followed by those of other seasons; 0: all
+  double borne = 0;  ///< of what comes with the season, how many each organ of full leaf bears; 0: unknown
+  double mean = 0;   ///< of the same, metres long
 };
 
 /// Index of the colour that a turtle's colour index selects, cyclically.

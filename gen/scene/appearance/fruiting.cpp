@@ -28,6 +28,10 @@ std::vector<Color> life_colors(const Fruiting& fruit) {
   return list;
 }
 
+bool is_winged(const Fruiting& fruit) {
+  return fruit.mesh.position.empty() && fruit.form == FruitForm::winged;
+}
+
 int ripe_step(const Fruiting& fruit) { return kRipening * (static_cast<int>(fruit.colors.size()) - 1); }
 
 /// How far the blush has come at one of these colours.
@@ -78,7 +82,7 @@ double crowded_angle(const Fruiting& fruit, double grown) {
   constexpr int kRing = 5;
   constexpr double kMost = radians(85.0), kLoose = 1.2;
   if (fruit.cluster < 2) return 0;
-  const double wide = fruit.size * grown * fruit.width, far = fruit.stalk + 0.5 * fruit.size * grown;
+  const double wide = fruit.size * grown * fruit_width(fruit), far = fruit.stalk + 0.5 * fruit.size * grown;
   if (far <= 0) return 0;
   if (fruit.cluster <= kRing)
     return std::min(kMost, std::asin(std::min(1.0, 0.5 * wide / (far * std::sin(kPi / fruit.cluster)))));
@@ -110,6 +114,10 @@ Errors fruit_faults(const Fruiting& fruit, const std::vector<std::string>& organ
                                     "{:.4g} to {:.4g}; dates in the next year are above 1",
                                     to.x, to.y, before, from.x, from.y)});
   }
+  if (fruit.blush && is_winged(fruit))
+    errors.push_back({"/blush",
+                      "found a colour, but the form \"winged\" has no side toward the light; "
+                      "expected none, or another form"});
   if (!fruit.organ.empty() && std::ranges::find(organs, fruit.organ) == organs.end())
     errors.push_back(
         {"/organ", fmt::format("found \"{}\"; expected {}", fruit.organ,
@@ -128,7 +136,7 @@ void add_fruit(std::vector<Prototype>& prototypes, const Fruiting& fruit) {
     parts.body.paint.clear();
     lay_sunward(parts.body);
   }
-  const bool wing = fruit.mesh.position.empty() && fruit.form == FruitForm::winged;
+  const bool wing = is_winged(fruit);
   Prototype made{std::string(kFruit), {}, life_colors(fruit), fruit.second};
   made.parts.push_back({wing ? Tissue::petal : Tissue::fruit, std::move(parts.body)});
   if (!wing) made.luster = Luster{.through = 0, .gloss = fruit.gloss};
@@ -136,16 +144,19 @@ void add_fruit(std::vector<Prototype>& prototypes, const Fruiting& fruit) {
     for (std::size_t i = 0; i < made.colors.size(); ++i)
       made.parts[0].pictures.push_back(skin_name(made.colors[i], *fruit.blush, blush_share(fruit, i)));
   if (!parts.cup.position.empty()) made.parts.push_back({Tissue::heart, std::move(parts.cup)});
+  made.borne = fruit.share * fruit.cluster, made.mean = fruit.size;
+  const double borne = made.borne;
   prototypes.push_back(std::move(made));
-  if (fruit.stalk > 0)
-    prototypes.push_back(
-        {std::string(kFruitStalk), {{Tissue::heart, stalk_surface()}}, {fruit.second}, fruit.second});
+  if (fruit.stalk <= 0) return;
+  Prototype stalk{std::string(kFruitStalk), {{Tissue::heart, stalk_surface()}}, {fruit.second}, fruit.second};
+  stalk.borne = borne, stalk.mean = fruit.stalk;
+  prototypes.push_back(std::move(stalk));
 }
 
 std::vector<Drawing> fruit_drawings(const Fruiting& fruit) {
   constexpr double kPixels = 64 * 64, kSecondsAPixel = 4e-7;
   std::vector<Drawing> all;
-  if (!fruit.blush) return all;
+  if (!fruit.blush || is_winged(fruit)) return all;
   const std::vector<Color> colors = life_colors(fruit);
   for (std::size_t i = 0; i < colors.size(); ++i) {
     const double share = blush_share(fruit, i);
@@ -182,8 +193,11 @@ double fruit_years(const Fruiting& fruit, double drift) {
 
 std::int32_t fruit_color(const Fruiting& fruit, const FruitState& state) {
   const int ripe = ripe_step(fruit);
-  if (state.lain <= 0) return static_cast<std::int32_t>(std::lround(state.ripe * ripe));
-  return ripe + std::min(kRotting, static_cast<int>(state.lain * (kRotting + 1)));
+  const auto hung = static_cast<std::int32_t>(std::lround(state.ripe * ripe));
+  if (state.lain <= 0) return hung;
+  // On the ground it goes through the colours that it has not had.
+  const int steps = ripe - hung + kRotting;
+  return hung + std::min(steps, static_cast<int>(state.lain * (steps + 1)));
 }
 
 Vec3 fruit_direction(const Fruiting& fruit, int k, double grown, Vec3 start, Seed cluster) {

@@ -28,9 +28,10 @@ struct Fruiting {
   double size_variation = 0.12;
   double lies = 0.08;  ///< years that a fallen one lies on the ground
   FruitForm form = FruitForm::round;
-  double width = 1;  ///< of the form, as a share of its length
-  FileName model;    ///< of a mesh in place of the form
-  Surface mesh;      ///< what that file holds
+  double width = 1;       ///< of the form, as a share of its length
+  FileName model;         ///< of a mesh in place of the form
+  Surface mesh;           ///< what that file holds
+  double mesh_width = 1;  ///< of it, as a share of its longest side
   std::vector<Color> colors{{0.45f, 0.58f, 0.2f}, {0.66f, 0.12f, 0.1f}};  ///< from unripe to ripe
   std::optional<Color> blush;         ///< of a ripe one's side toward the light
   Color second{0.36f, 0.28f, 0.16f};  ///< of stalks and cups
@@ -61,6 +62,11 @@ struct FruitState {
 
 /// `age`: years since the new year before it sets; `drift`: years that it falls.
 FruitState fruit_state(const Fruiting& fruit, double age, double drift, Seed own);
+
+/// Its width as a share of its length, be it a form or a mesh.
+inline double fruit_width(const Fruiting& fruit) {
+  return fruit.mesh.position.empty() ? fruit.width : fruit.mesh_width;
+}
 
 /// How many years after that new year the last of them is gone.
 double fruit_years(const Fruiting& fruit, double drift);

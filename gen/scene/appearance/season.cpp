@@ -260,7 +260,7 @@ class Moment {
     Flight at{from + along * stalk, turn, 0};
     float left = 1;
     if (fallen > 0) {
-      at = dropped(at.position, turn, fallen, 0.5f * size * static_cast<float>(f.width), own, ground_);
+      at = dropped(at.position, turn, fallen, 0.5f * size * static_cast<float>(fruit_width(f)), own, ground_);
       const bool lies = ground_ && f.lies > 0;
       left -=
           lies ? smooth_step(0.7f, 1.0f, static_cast<float>(state.lain)) : smooth_step(0.6f, 1.0f, fallen);

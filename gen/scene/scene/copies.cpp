@@ -281,7 +281,7 @@ std::vector<CopyPart> copy_parts(const Look& look, const Model& model, const Cop
   for (const Prototype& prototype : model.prototypes)
     if (!is_fruit(prototype)) shapes += prototype.parts.size();
   each.leaves /= static_cast<double>(std::max<std::size_t>(1, shapes));
-  fruit.leaves /= kOfFruit;
+  fruit.leaves /= kOfFruit, fruit.solid = true;
   for (std::size_t p = 0; p < model.prototypes.size(); ++p) {
     std::vector<CopyPart> merged =
         merged_organs(model, p, is_fruit(model.prototypes[p]) ? fruit : each, blocks, now);

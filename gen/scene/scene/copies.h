@@ -88,6 +88,7 @@ struct CopyDetail {
   double grain = 0.002;  ///< metres that a pixel covers where it stands: what would be finer is left out
   double leaves = 4e5;   ///< triangles of leaves at most, about: more become fewer and larger ones
   bool plain = false;    ///< leaves are single triangles, too small to have any `uv` but of pictures
+  bool solid = false;    ///< they are bodies, as fruit is, rather than leaves
 };
 
 inline constexpr int kLevelCount = 6;

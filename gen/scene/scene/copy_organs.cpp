@@ -41,6 +41,15 @@ FarShape far_shape(const Surface& own, Vec3 ratio, double size, double count, co
   double piece = size * extent(shape, far.pieces.count) / detail.grain;
   FarLeaf as = detail.plain ? FarLeaf::triangle : FarLeaf::diamond;
   if (piece > kManyPixels && count * static_cast<double>(shape.triangle.size()) < detail.leaves) return far;
+  // What is seen as a body stays one, of as many triangles as there are for it.
+  constexpr double kLeastBody = 12;
+  if (double most = detail.leaves / count; detail.solid && piece > kManyPixels && most >= kLeastBody) {
+    far.surface = reduced(own, static_cast<std::size_t>(most));
+    const auto same_area = static_cast<float>(std::sqrt(area(own) / area(far.surface)));
+    for (Vec3& p : far.surface.position) p *= same_area;
+    far.pieces = pieces_of(far.surface);
+    return far;
+  }
   auto crowded = static_cast<int>(std::min(std::ceil(count * 2 * far.pieces.count / detail.leaves), 1e6));
   int stride = std::max(stride_of(piece), crowded);
   // Pieces stand for each other as far as there are some; then whole organs do.
@@ -134,7 +143,12 @@ std::vector<CopyPart> merged_organs(const Model& model, std::size_t which, const
     if (o.prototype[i] == which) size += largest_of(o.scale[i]), sides += o.scale[i], ++count;
   std::vector<CopyPart> parts(prototype.parts.size());
   Vec3 ratio = count > 0 ? sides / static_cast<float>(largest_of(sides)) : Vec3(1);
-  if (count == 0 && now) count = static_cast<int>(o.size()) + 1, size = kFlower * count;
+  if (count == 0 && now) {
+    const double borne = prototype.borne;
+    count = borne > 0 ? std::max(1, static_cast<int>(borne * static_cast<double>(o.size())))
+                      : static_cast<int>(o.size()) + 1;
+    size = (borne > 0 ? prototype.mean : kFlower) * count;
+  }
   if (count == 0) return parts;
   std::vector<FarShape> shapes;
   // The largest part decides how many organs are seen; of the others only their number counts.

@@ -21,6 +21,8 @@ struct OrganSkin {
   Color tint;                                  ///< what the mesh's file multiplies it by
   std::vector<char> worn;                      ///< of each triangle, whether it wears the picture
   Color mean{};                                ///< of the picture, without the tint
+  std::string id;                              ///< of the picture's content
+  double pixels = 0;                           ///< of the picture
 };
 
 /// The shape of an organ that the grammar names.
