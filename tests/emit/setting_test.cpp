@@ -145,7 +145,11 @@ TEST(Water, StrobesGoWithTheCamera) {
     EXPECT_NEAR(glm::distance(a, b), 1, 1e-3);
     EXPECT_NEAR(glm::dot(a - b, eye * Vec3(1, 1, -1)), 0, 1e-3) << "on both sides";
     EXPECT_NEAR(glm::distance(middle, eye + Vec3(0, 0.2f, 0)), 0, 1e-3);
+    EXPECT_EQ(text.find("Water_Ceiling"), std::string::npos);
   }
+  camera.location = Vec3(0, 4, 3);
+  EXPECT_NE(setting_text(scene, 0).find("#declare Water_Ceiling = 4.3;"), std::string::npos)
+      << "caustics stay above the lamps";
 }
 
 }  // namespace

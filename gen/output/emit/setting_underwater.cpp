@@ -62,11 +62,19 @@ std::string backdrop_text(const Daylight& light) {
 }
 
 /// What is declared before the macros that read it, where the water is of a type or the day not bright.
-std::string optics_text(const Water& water, const Daylight& light, Vec3 eye) {
+std::string optics_text(const Scene& scene, const Daylight& light, double time) {
+  const auto& water = scene.setup.block<Water>();
   std::string text;
   auto declare = [&](std::string_view name, const std::string& value) {
     text += fmt::format("#declare Water_{} = {};\n", name, value);
   };
+  // Lamps stay below the caustics, which would filter their light, too.
+  constexpr double kCeiling = 2.6, kOverLens = 0.3;  // metres: as in the include file; of the lamps
+  if (water.strobe) {
+    double ceiling = kCeiling;
+    for (const Eye& eye : eyes(scene)) ceiling = std::max(ceiling, static_cast<double>(eye.at.y) + kOverLens);
+    if (ceiling > kCeiling) declare("Ceiling", number_text(ceiling));
+  }
   if (water.daylight != 1) declare("Day", number_text(water.daylight));
   if (!water.type) {
     if (water.daylight != 1) declare("Lit", vector_text(Vec3(static_cast<float>(water.daylight))));
@@ -77,7 +85,9 @@ std::string optics_text(const Water& water, const Daylight& light, Vec3 eye) {
   declare("Direct", vector_text(optics.direct));
   declare("Backscatter", vector_text(optics.backscatter));
   constexpr double kUnderSurface = 0.5;  // metres, at least, that the camera is
-  if (water.depth > 0) declare("Depth", number_text(std::max(water.depth, eye.y + kUnderSurface)));
+  if (water.depth > 0)
+    declare("Depth",
+            number_text(std::max(water.depth, scene.setup.camera.location.at(time).y + kUnderSurface)));
   return text;
 }
 
@@ -105,8 +115,7 @@ std::string water_text(const Scene& scene, double time) {
   WaterColors colors = water_colors(water, light, exposed);
   std::string sun = direction_text(water.sun);
   double contrast = caustic_contrast(water);
-  std::string text = globals_text("Water") + backdrop_text(light) +
-                     optics_text(water, light, scene.setup.camera.location.at(time));
+  std::string text = globals_text("Water") + backdrop_text(light) + optics_text(scene, light, time);
   append_call(text, "Water_Setting", eye, light_text(light.fog), light.fade, sun, light_text(light.sunlight),
               contrast * water.caustics, '"' + caustics_name(scene, time) + '"');
   text += '\n';
