@@ -237,6 +237,23 @@ TEST(CostEstimate, AnOldTreeHasDroppedItsLeavesAndTwigs) {
   EXPECT_LT(nodes("34").first, 0.3 * nodes("60").first);
 }
 
+TEST(CostEstimate, CountsTheFruit) {
+  auto organs = [](const char* share) {
+    Preset preset =
+        preset_at("tests/presets/tiny_film.json",
+                  {R"(/organisms=[{"kind": "tree", "years": 9, "season": {"at": 0.7, "evergreen": true,
+      "fruit": {"share": 0, "cluster": 6, "ripe": [0.5, 0.55], "fall": [0.8, 0.85]}}}])",
+                   std::string("/organisms/0/season/fruit/share=") + share});
+    Model model = build_scene(preset)->specimens[0].model;
+    in_season(model, *preset.organisms[0].grower->appearance().season, 0, Seed{1});
+    return std::pair{estimate_of(preset).organs, static_cast<double>(model.organs.size())};
+  };
+  const auto [bare, bare_there] = organs("0");
+  const auto [bearing, there] = organs("0.5");
+  EXPECT_GT(bearing / bare, 0.5 * there / bare_there);
+  EXPECT_LT(bearing / bare, 2 * there / bare_there);
+}
+
 TEST(CostEstimate, AViewHasNoLightAndNoText) {
   // What takes longer than this opens with a question (PATIENCE of the page).
   constexpr double kPatience = 8;

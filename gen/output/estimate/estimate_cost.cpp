@@ -9,6 +9,7 @@
 #include "draw/eyes.h"
 #include "draw/levels.h"
 #include "draw/solids.h"
+#include "estimate/estimate_fruit.h"
 #include "estimate/estimate_ground_cost.h"
 #include "estimate/estimate_pictures.h"
 #include "field/volume.h"
@@ -312,6 +313,7 @@ Result<Sums> sums_of(const Preset& preset, FrameRange part) {
     if (!organism.sown && grower.traits().shares_light())
       size.nodes *= shaded, size.organs *= shaded, size.parts *= shaded, size.seconds *= shaded;
     Appearance appearance = grower.appearance();
+    count_fruit(size, appearance.season);
     double held = kHeldNode * size.nodes + kHeldOrgan * size.organs + kCorner * size.corners +
                   kHeldTriangle * size.triangles + 100 * size.blocks + size.held / 2;
     double grows = held + kGrowingNode * size.nodes + kGrowingOrgan * size.organs + 2 * size.word.bytes +
