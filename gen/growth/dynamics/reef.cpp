@@ -1,9 +1,9 @@
 #include "dynamics/reef.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "dynamics/lives.h"
 
 namespace frond {
 
@@ -52,28 +52,13 @@ ReefOptions options_of(const ReefText& text) {
 }
 
 Errors reef_faults(const ReefText& text) {
-  Errors faults;
-  std::vector<ColonyName> names;
-  for (std::size_t i = 0; i < text.species.size(); ++i) {
-    ColonyName name = text.species[i].name;
-    if (std::ranges::find(names, name) != names.end())
-      faults.push_back({fmt::format("/species/{}/name", i),
-                        fmt::format("a second \"{}\"; expected each species once", name_of(name))});
-    names.push_back(name);
-  }
-  for (std::size_t i = 0; i < text.planted.size(); ++i)
-    if (!names.empty() && std::ranges::find(names, text.planted[i].name) == names.end())
-      faults.push_back({fmt::format("/planted/{}/name", i),
-                        fmt::format("\"{}\" is not among the species of the reef; expected one of them",
-                                    name_of(text.planted[i].name))});
+  Errors faults = species_faults(text, "reef");
   if (double colonies = colonies_of(options_of(text)); colonies > kMostColonies)
     faults.push_back(error_at("/area",
                               "up to {:.2g} colonies would come; expected {:g} at most, by a smaller area, "
                               "fewer years or lower rates",
                               colonies, kMostColonies));
-  if (text.shown && (text.shown->x > text.shown->y || text.shown->y > static_cast<float>(text.years)))
-    faults.push_back(error_at("/shown", "found {:g} to {:g}; expected years in order, up to the last one, {}",
-                              text.shown->x, text.shown->y, text.years));
+  add_shown_fault(text, faults);
   return faults;
 }
 

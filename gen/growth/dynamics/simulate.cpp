@@ -2,6 +2,7 @@
 
 #include "core/events.h"
 #include "core/parallel.h"
+#include "dynamics/lives.h"
 #include "dynamics/seedlings.h"
 #include "dynamics/stand.h"
 
@@ -119,12 +120,6 @@ TreeDeath snow_death(const StandTree& tree, const TreeSpecies& species, double l
   return {DeathCause::snow, 2 * kPi * seed.child(1).unit(), seed.child(2).range(0.2, 0.6) * tree.height};
 }
 
-/// A size of a life, before those of each life are brought together.
-struct NotedSize {
-  std::uint32_t life = 0;
-  TreeSize size;
-};
-
 /// The stand as it goes from year to year.
 struct StandNow {
   const StandOptions& options;
@@ -136,7 +131,7 @@ struct StandNow {
   std::vector<StandLog> logs{};
   Seedlings seedlings;
   std::vector<TreeLife> lives{};
-  std::vector<NotedSize> noted{};
+  std::vector<NotedSize<TreeSize>> noted{};
   double wind = 0;  // azimuth to which storms blow
 };
 
@@ -297,18 +292,6 @@ void step(StandNow& now, int year) {
   if (year % 5 == 0 || year == now.options.years)
     for (const StandTree& tree : now.trees) note(now, tree, year);
   for (const Recruit& recruit : recruits) add_tree(now, recruit, year);
-}
-
-/// Brings together the sizes of each life, which were noted in the order of time.
-void gather_sizes(StandHistory& history, const std::vector<NotedSize>& noted) {
-  for (const NotedSize& n : noted) ++history.lives[n.life].count;
-  std::uint32_t first = 0;
-  for (TreeLife& life : history.lives) life.first = first, first += life.count, life.count = 0;
-  history.sizes.resize(noted.size());
-  for (const NotedSize& n : noted) {
-    TreeLife& life = history.lives[n.life];
-    history.sizes[life.first + life.count++] = n.size;
-  }
 }
 
 }  // namespace

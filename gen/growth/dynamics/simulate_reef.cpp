@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "dynamics/lives.h"
 #include "dynamics/reef_floor.h"
 
 namespace frond {
@@ -26,12 +27,6 @@ struct ColonyEnd {
   double died = 0, azimuth = 0, rolled = 0;
 };
 
-/// A size of a life, before those of each life are brought together.
-struct NotedColony {
-  std::uint32_t life = 0;
-  ColonySize size;
-};
-
 /// A skeleton that becomes rubble.
 struct Skeleton {
   double gone = 0, x = 0, z = 0, area = 0;
@@ -46,7 +41,7 @@ struct ReefNow {
   std::vector<Colony> colonies{};
   std::vector<Skeleton> skeletons{};
   std::vector<ColonyLife> lives{};
-  std::vector<NotedColony> noted{};
+  std::vector<NotedSize<ColonySize>> noted{};
   ReefYear last{};
   double waves = 0;  // azimuth to which they run
 };
@@ -315,18 +310,6 @@ void step(ReefNow& now, int year) {
   now.last = now.floor.survey(now.colonies, now.species);
   for (const Colony& c : now.colonies)
     if (c.born < year) now.noted.push_back({c.life, size_of(c, year)});
-}
-
-/// Brings together the sizes of each life, which were noted in the order of time.
-void gather_sizes(ReefHistory& history, const std::vector<NotedColony>& noted) {
-  for (const NotedColony& n : noted) ++history.lives[n.life].count;
-  std::uint32_t first = 0;
-  for (ColonyLife& life : history.lives) life.first = first, first += life.count, life.count = 0;
-  history.sizes.resize(noted.size());
-  for (const NotedColony& n : noted) {
-    ColonyLife& life = history.lives[n.life];
-    history.sizes[life.first + life.count++] = n.size;
-  }
 }
 
 }  // namespace

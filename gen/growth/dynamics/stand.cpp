@@ -1,10 +1,9 @@
 #include "dynamics/stand.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "core/curve.h"
+#include "dynamics/lives.h"
 
 namespace frond {
 
@@ -49,26 +48,8 @@ StandOptions options_of(const StandText& text) {
 }
 
 Errors stand_faults(const StandText& text) {
-  Errors faults;
-  std::vector<TreeName> names;
-  for (std::size_t i = 0; i < text.species.size(); ++i) {
-    TreeName name = text.species[i].name;
-    if (std::ranges::find(names, name) != names.end())
-      faults.push_back({fmt::format("/species/{}/name", i),
-                        fmt::format("a second \"{}\"; expected each species once", name_of(name))});
-    names.push_back(name);
-  }
-  auto known = [&](const std::string& where, TreeName name) {
-    if (!names.empty() && std::ranges::find(names, name) == names.end())
-      faults.push_back(
-          {where,
-           fmt::format("\"{}\" is not among the species of the stand; expected one of them", name_of(name))});
-  };
-  for (std::size_t i = 0; i < text.planted.size(); ++i)
-    known(fmt::format("/planted/{}/name", i), text.planted[i].name);
-  if (text.shown && (text.shown->x > text.shown->y || text.shown->y > static_cast<float>(text.years)))
-    faults.push_back(error_at("/shown", "found {:g} to {:g}; expected years in order, up to the last one, {}",
-                              text.shown->x, text.shown->y, text.years));
+  Errors faults = species_faults(text, "stand");
+  add_shown_fault(text, faults);
   return faults;
 }
 
