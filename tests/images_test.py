@@ -165,7 +165,8 @@ global_settings {{ assumed_gamma 1 }}
 #include "frond_copy.inc"
 light_source {{ z*{9 if behind else -9}, rgb 1 parallel }}
 camera {{ orthographic location -3*z look_at 0 right x up 0.75*y }}
-#local F = array[1] {{ "leaf.png" }}
+#local F = array[1] {{ pigment {{ Copy_File("leaf.png", 0) }} }}
+#local H = array[1] {{ pigment {{ Copy_File("leaf.png", 0.5) }} }}
 mesh2 {{
   vertex_vectors {{ 4, <-2, -2, 0>, <2, -2, 0>, <2, 2, 0>, <-2, 2, 0> }}
   uv_vectors {{ 4, <0.1, 0.1>, <0.9, 0.1>, <0.9, 0.9>, <0.1, 0.9> }}
@@ -216,7 +217,7 @@ def main():
                       " ".join(f"{a:.3f}" for a in fades))
         # Light that comes through a leaf has lost blue and is greener; before the sun the leaf is as it was.
         for name, plain, lit in [("tree", 'Tree_Leaf("leaf.png",1) Plant_Luster(0.4,0)', 'Tree_Lit("leaf.png",1,0.4,1,0,0)'),
-                                 ("copy", "Copy_Picture(F,<0,1,1>,0.4,0)", "Copy_Lit(F,<0,1,1>,0.4,0,1)")]:
+                                 ("copy", "Copy_Picture(F,<0,1,1>,0.4,0)", "Copy_Lit(F,H,<0,1,1>,0.4,0,1)")]:
             for behind, expected in [(False, (1, 1, 1)), (True, (0.95, 1.15, 0.3))]:
                 light = [a / b for a, b in zip(*(leaf_in_light(folder, how, behind) for how in (lit, plain)))]
                 good &= check(f"a {name}'s leaf {'against' if behind else 'before'} the sun",

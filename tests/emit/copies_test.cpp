@@ -223,6 +223,27 @@ TEST(CopyText, PlacesOnlyWhatItsFilesDeclare) {
     EXPECT_NE(frame.find("#include \"" + file.name + "\""), frame.npos);
 }
 
+TEST(CopyText, PicturesAreReadOnceAFrame) {
+  Scene scene = scene_of(preset_text(
+      kStill,
+      R"(, "leaves": {"kind": "lobed", "picture": {"colors": ["#8aa548", "#7b993e"], "luster": {"yellow": 1}}},
+                  "coat": {"pattern": "furrowed"})"));
+  CopyPlan plan = planned(scene);
+  std::string models = texts(scene, plan).first;
+  std::set<std::string> declared;
+  std::regex declares(
+      "#ifndef \\((\\w+)\\) #declare (\\w+) = (?:pigment|normal)\\{Copy_\\w+\\(\"[^\"]+\",[0-9.]+\\)\\} "
+      "#end");
+  for (std::sregex_iterator it(models.begin(), models.end(), declares), end; it != end; ++it) {
+    EXPECT_EQ((*it)[1], (*it)[2]);
+    declared.insert((*it)[1]);
+  }
+  EXPECT_EQ(declared.size(), 2u * 2 + 2) << "two leaves, each seen from both sides, and bark";
+  std::string rest = std::regex_replace(models, declares, "");
+  EXPECT_EQ(rest.find(".png"), rest.npos) << "a file that is named again is read again";
+  for (const std::string& name : declared) EXPECT_NE(rest.find(name), rest.npos) << name << " is used";
+}
+
 TEST(CopyText, AWholeFrameHoldsThem) {
   Scene scene = scene_of(preset_text(kStill));
   CopyPlan plan = planned(scene);

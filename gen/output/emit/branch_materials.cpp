@@ -147,6 +147,13 @@ std::string names_of(const BarkCoat& coat) {
   return fmt::format("\"{}\",\"{}\"", bark_color_name(coat), bark_height_name(coat));
 }
 
+/// The declared bumps of a coat, which are as strong as it says.
+std::string relief_id(const BarkCoat& coat) {
+  std::string id = picture_id("Relief", bark_height_name(coat)) + '_' + number_text(coat.relief, 4);
+  std::ranges::replace(id, '.', '_');
+  return id;
+}
+
 ObjectText coat_text(const PovSpace& space, const DrawnBranches& branches, const BarkCoat& coat,
                      const Surface& wood, double pixel) {
   if (!has_faces(wood)) return {};
@@ -181,9 +188,28 @@ std::string cube_texture(const BranchLook& look, std::size_t color, double brigh
          '}';
 }
 
+std::string picture_id(std::string_view as, std::string_view file) {
+  return fmt::format("{}_{}", as, file.substr(0, file.find('.')));
+}
+
+void declare_once(std::string& text, std::string_view id, std::string_view what) {
+  text += fmt::format("#ifndef ({0}) #declare {0} = {1} #end\n", id, what);
+}
+
+void declare_coat(std::string& text, const BranchLook& look, std::size_t color) {
+  const BarkCoat* coat = look.coat_of(color);
+  if (!coat) return;
+  std::string file = bark_color_name(*coat);
+  declare_once(text, picture_id("Picture", file), fmt::format("pigment{{Copy_File(\"{}\",0)}}", file));
+  declare_once(
+      text, relief_id(*coat),
+      fmt::format("normal{{Copy_Relief(\"{}\",{})}}", bark_height_name(*coat), number_text(coat->relief, 4)));
+}
+
 std::string copy_texture(const BranchLook& look, std::size_t color) {
   if (const BarkCoat* coat = look.coat_of(color))
-    return call_text("Copy_Bark", names_of(*coat), number_text(coat->relief, 4), coat->tone, "T");
+    return call_text("Copy_Bark", picture_id("Picture", bark_color_name(*coat)), relief_id(*coat), coat->tone,
+                     "T");
   if (look.skin) {
     const Skin& skin = *look.skin;
     SkinColors old = old_skin(skin), young = young_skin(skin);

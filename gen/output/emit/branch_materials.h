@@ -53,6 +53,13 @@ inline constexpr int kCubeAges = 4, kCubeShades = 4;
 std::string cube_texture(const BranchLook& look, std::size_t color, double brightness, double side, int age,
                          int shade);
 
+/// The name of a picture that is declared once a frame, as POV-Ray reads a file anew wherever it is named.
+std::string picture_id(std::string_view as, std::string_view file);
+/// Declares something unless another has already.
+void declare_once(std::string& text, std::string_view id, std::string_view what);
+
+/// Declares the pictures that copy_texture() names.
+void declare_coat(std::string& text, const BranchLook& look, std::size_t color);
 /// What stands in the texture of a copy's branches of one colour, for a tint T.
 std::string copy_texture(const BranchLook& look, std::size_t color);
 /// Whether that needs places on the mesh.
