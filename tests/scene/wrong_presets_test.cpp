@@ -417,9 +417,9 @@ const WrongPreset kWrongValues[] = {
      {},
      {R"(1:74: /organisms/1/on/0: no organism "huose" to grow on; expected house; did you mean "house"?)"}},
     {"A place off the ground",
-     R"({"scene": {"setting": "garden"}, "organisms": [{"kind": "coral", "place": {"at": [[0, 31]]}}]})",
+     R"({"scene": {"setting": "garden"}, "organisms": [{"kind": "coral", "place": {"at": [[0, 101]]}}]})",
      {},
-     {"1:83: /organisms/0/place/at/0: lies off the ground, which reaches 30 m here; expected a place within "
+     {"1:83: /organisms/0/place/at/0: lies off the ground, which reaches 100 m here; expected a place within "
       "that "
       "of the middle"}},
     {"Words for numbers",

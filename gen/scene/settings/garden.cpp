@@ -81,7 +81,7 @@ SettingRow garden_setting() {
        "/air",
        "/far",
        "/year"},
-      [](const SceneSetup&) { return Extent{.sown = kLawnSown}; },
+      [](const SceneSetup&) { return Extent{.reach = kLawnSown / 2, .sown = kLawnSown}; },
       [](const SceneSetup& setup, const Film&) {
         Errors errors = check_grass(setup.block<Meadow>().lawn);
         check_path(errors, setup.block<Garden>().path, "/garden/path/points", kLand);

@@ -70,7 +70,7 @@ SettingRow meadow_setting() {
   return setting_row<Meadow>(
       "meadow", "grass under a summer sky", "meadow", "Sky and grass, for meadow",
       {"/meadow", "/floor/relief", "/floor/scale", "/snow", "/rain", "/air", "/far", "/year"},
-      [](const SceneSetup&) { return Extent{.sown = kLawnSown}; },
+      [](const SceneSetup&) { return Extent{.reach = kLawnSown / 2, .sown = kLawnSown}; },
       [](const SceneSetup& setup, const Film&) { return check_grass(setup.block<Meadow>().lawn); },
       [](const SceneSetup& setup, const Film& film) {
         GroundSizeEstimate ground{.triangles = 48'180};
