@@ -18,6 +18,7 @@
 #include "emit/copies.h"
 #include "emit/plant.h"
 #include "emit/setting.h"
+#include "emit/twigs.h"
 #include "emit/weather.h"
 #include "world/world.h"
 
@@ -31,6 +32,7 @@ constexpr std::size_t kLinesAtOnce = 200'000;  // of organisms, whose text is he
 constexpr double kOffPixels = 0.15;   // by how much the outline of a branch may be away from where it is
 constexpr double kDotPixels = 4;      // length along which no change of colour shows
 constexpr double kPlainPixels = 0.6;  // radius of branches that show no pattern
+constexpr double kLimbPixels = 2;     // as coarse are limbs whose twigs are small
 
 /// A swarm, and an object of it for each place that an organism is drawn to.
 std::string food_text(const PovSpace& space, const Scene& scene, double time) {
@@ -229,19 +231,22 @@ Result<FrameCount> write_branches(const PovSpace& space, const DrawList& drawn, 
     out(name);
     out(piece);
   };
-  Result<std::size_t> wood = write_wood(space, branches, index, eye.at, fine, under_name);
+  Fineness limbs = fine;
+  if (drawn.twigs) limbs.pixel *= kLimbPixels;
+  Result<std::size_t> wood = write_wood(space, branches, index, eye.at, limbs, under_name);
   if (!wood) return wood.errors();
   ObjectText snow = bough_snow_text(space, drawn, time, fine.pixel);
   under_name(snow.text);
   FrameCount count{0, *wood + write_foliage(space, drawn, fine.pixel, under_name) + snow.objects};
+  count.objects += write_palette(space, drawn, index, under_name);
   if (const Polyps* own = branches.look().polyps(); own && own->width > 0) {
     ObjectText polyps = polyps_text(space, drawn_polyps(branches, eye), time);
     under_name(polyps.text);
     count.objects += polyps.objects;
   }
-  const std::vector<float>& birth = branches.rest().birth;
+  const std::vector<float>& birth = drawn.model.skeleton.birth;
   count.nodes = static_cast<std::size_t>(
-      std::ranges::count_if(birth, [&](float born) { return born <= branches.pose.front; }));
+      std::ranges::count_if(birth, [&](float born) { return born <= drawn.pose.front; }));
   return count;
 }
 
@@ -255,7 +260,7 @@ Result<FrameCount> write_organism(const FrameParts& parts, const Scene& scene, s
   const Solids& solids = parts.solids.of(scene, i);
   std::optional<Solids> developed;
   if (b.life.develop) developed = parts.solids.of(i, (*now)->model.solids);
-  DrawList drawn(**now, time, developed ? *developed : solids);
+  DrawList drawn(**now, time, developed ? *developed : solids, parts.twigs[i].get());
   ObjectText bodies;
   for (const DrawnBody& body : drawn.bodies)
     if (body.now || b.life.develop) bodies += solid_text(parts.space, body, i, b.wet);

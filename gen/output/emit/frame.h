@@ -7,6 +7,7 @@
 #include "core/result.h"
 #include "core/text.h"
 #include "draw/levels.h"
+#include "draw/twig_plan.h"
 #include "emit/solid.h"
 #include "scene/scene.h"
 
@@ -27,7 +28,8 @@ struct FrameParts {
   /// Metres that a pixel is at each organism where the camera comes nearest to it; 0: all its detail is
   /// written.
   std::vector<double> pixel;
-  std::vector<std::size_t> first_skin;  ///< of each organism, in the array of skins
+  std::vector<std::size_t> first_skin;                 ///< of each organism, in the array of skins
+  std::vector<std::shared_ptr<const TwigPlan>> twigs;  ///< of each organism; null: each by itself
   std::string light;  ///< file of the soft light of all frames; kOwnLight: each has one; empty: none
 };
 

@@ -12,6 +12,7 @@
 #include "emit/frame.h"
 #include "emit/plant.h"
 #include "emit/setting.h"
+#include "emit/twigs.h"
 #include "emit/weather.h"
 
 namespace frond {
@@ -56,6 +57,8 @@ FrameParts prepare_frames(const Scene& scene, CopyPlan plan, bool for_film) {
   FrameParts parts;
   parts.space = space_for(thinnest);
   parts.pixel = for_film ? nearest_pixels(scene) : std::vector<double>(scene.specimens.size(), 0);
+  parts.twigs.resize(scene.specimens.size());
+  if (for_film) parts.twigs = twig_plans(scene);
   std::size_t skins = 0;
   for (const Specimen& b : scene.specimens) {
     parts.first_skin.push_back(skins);
@@ -75,6 +78,8 @@ FrameParts prepare_frames(const Scene& scene, CopyPlan plan, bool for_film) {
   }
   parts.materials +=
       prototypes_text(parts.space, scene, parts.pixel) + bough_snow_declarations(parts.space, scene);
+  if (std::ranges::any_of(parts.twigs, [](const auto& twigs) { return twigs != nullptr; }))
+    parts.materials += kTwigInclude;
   if (for_film) parts.solids = drawn_solids(scene);
   parts.polyps.resize(scene.specimens.size());
   parallel_for(parts.polyps.size(),

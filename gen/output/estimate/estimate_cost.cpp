@@ -12,6 +12,7 @@
 #include "estimate/estimate_fruit.h"
 #include "estimate/estimate_ground_cost.h"
 #include "estimate/estimate_pictures.h"
+#include "estimate/estimate_twigs.h"
 #include "field/volume.h"
 #include "film/soft_light.h"
 #include "organisms/organism.h"
@@ -266,7 +267,9 @@ struct Sums {
     double count = number_of(organism);
     bool together = traits.finds_own_place();
     WoodCostEstimate wood = estimate_wood_cost(organism, size, appearance, seed);
-    double own = wood.bytes + kPlacement * size.parts + kCorner * size.corners;
+    double own =
+        (wood.bytes + kPlacement * size.parts) * share_of_twigs(preset, organism, appearance, size.organs) +
+        kCorner * size.corners;
     double solid = kTriangle * drawn_triangles(preset, organism, size) + kPlacement * size.blocks;
     f.organisms += count;
     f.modules += count * size.word.modules;

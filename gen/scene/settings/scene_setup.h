@@ -40,6 +40,9 @@ struct Film {
   /// Whether light that the air scatters is added (SceneSetup::air), which only resolved frames know.
   bool air = false;
   Background background = Background::scene;
+  /// Pixels: twigs of large plants that are no longer than that, where the camera comes nearest to them, are
+  /// copies of some hundred of them, see draw/twig_plan.h; 0: each is drawn by itself.
+  double twigs = 25;
   // How pictures are written, by options of the commands; no properties of presets.
   int depth = 8;                       ///< bits of a channel, 8 or 16
   double dpi = 0;                      ///< pixels an inch, which a still says; 0: it says none

@@ -41,20 +41,26 @@ PlainLook plain_look(const Material& body) {
           .picture = body.picture};
 }
 
-DrawList::DrawList(const Specimen& specimen, double time, const Solids& solids)
-    : DrawList(specimen, specimen.model, pose_at(specimen, time), time, solids) {}
+DrawList::DrawList(const Specimen& specimen, double time, const Solids& solids, const TwigPlan* plan)
+    : DrawList(specimen, specimen.model, pose_at(specimen, time), time, solids, plan) {
+  if (plan) twigs.emplace(*plan, specimen, pose, time);
+}
 
 DrawList::DrawList(const Traits& own, const Model& at_rest)
-    : DrawList(own, at_rest, rest_pose(at_rest.skeleton), 0, at_rest.solids) {}
+    : DrawList(own, at_rest, rest_pose(at_rest.skeleton), 0, at_rest.solids, nullptr) {}
 
-DrawList::DrawList(const Traits& own, const Model& grown, Pose posed, double time, const Solids& solids)
+DrawList::DrawList(const Traits& own, const Model& grown, Pose posed, double time, const Solids& solids,
+                   const TwigPlan* plan)
     : traits(own),
       model(grown),
       pose(std::move(posed)),
-      organs(traits, model, pose, time),
+      organs(traits, model, pose, time,
+             plan ? std::span<const char>(plan->replaced) : std::span<const char>()),
       blades(drawn_blades(traits, model, pose)),
       bodies(still_bodies(solids, traits.motion.growth)) {
-  if (traits.look.branches.drawn()) branches.emplace(DrawnBranches{traits, model, pose});
+  if (plan) limbs = pose_of_limbs(*plan, pose);
+  if (traits.look.branches.drawn())
+    branches.emplace(DrawnBranches{traits, plan ? plan->limbs : model, plan ? *limbs : pose});
   for (DrawnBody& body : growing_bodies(solids, traits.motion.growth, time))
     bodies.push_back(std::move(body));
 }

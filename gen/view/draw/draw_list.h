@@ -7,6 +7,7 @@
 #include "draw/branches.h"
 #include "draw/organs.h"
 #include "draw/solids.h"
+#include "draw/twigs.h"
 
 // What is drawn of an organism at one time. POV-Ray's text, exports, the studio's view, the quick look and
 // the samples for the soft light are made from this list.
@@ -33,7 +34,8 @@ struct DrawList {
   /// What is drawn of a specimen, which must be developed() to that time; seconds. `solids` are drawn in
   /// place of its own.
   DrawList(const Specimen& specimen, double time) : DrawList(specimen, time, specimen.model.solids) {}
-  DrawList(const Specimen& specimen, double time, const Solids& solids);
+  /// With a plan, twigs are copies of a palette.
+  DrawList(const Specimen& specimen, double time, const Solids& solids, const TwigPlan* plan = nullptr);
   /// What is drawn of a model at rest, fully grown.
   DrawList(const Traits& own, const Model& at_rest);
   DrawList(const DrawList&) = delete;
@@ -42,13 +44,16 @@ struct DrawList {
   const Traits& traits;
   const Model& model;
   Pose pose;
+  std::optional<DrawnTwigs> twigs;        ///< which are no part of what follows
+  std::optional<Pose> limbs;              ///< where there are twigs, the pose of the other branches
   std::optional<DrawnBranches> branches;  ///< none where they are not to be seen
   DrawnOrgans organs;
   std::vector<DrawnBlades> blades;
   std::vector<DrawnBody> bodies;  ///< those that stand still, then those that grow
 
  private:
-  DrawList(const Traits& own, const Model& grown, Pose posed, double time, const Solids& solids);
+  DrawList(const Traits& own, const Model& grown, Pose posed, double time, const Solids& solids,
+           const TwigPlan* plan);
 };
 
 }  // namespace frond

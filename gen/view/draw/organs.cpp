@@ -31,7 +31,8 @@ float largest_scale(const Organs& organs) {
   return largest;
 }
 
-DrawnOrgans::DrawnOrgans(const Traits& traits, const Model& m, const Pose& pose, double time) {
+DrawnOrgans::DrawnOrgans(const Traits& traits, const Model& m, const Pose& pose, double time,
+                         std::span<const char> replaced) {
   constexpr auto kNone = static_cast<std::uint32_t>(-1);
   std::size_t count = 0, n = m.organs.size();
   std::vector<std::size_t> first_of;  // group of each prototype
@@ -45,6 +46,7 @@ DrawnOrgans::DrawnOrgans(const Traits& traits, const Model& m, const Pose& pose,
   std::vector<std::uint32_t> group_of(n, kNone);
   std::vector<std::size_t> begin(count + 1, 0);
   for (std::size_t i = 0; i < n; ++i) {
+    if (!replaced.empty() && replaced[i]) continue;
     float size = size_of(i);
     if (size < kUnfoldedLeast) continue;
     std::size_t which = m.organs.prototype[i], steps = steps_of(m.prototypes[which]);

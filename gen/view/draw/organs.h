@@ -30,7 +30,9 @@ struct OrganGroup {
 /// Those that have begun to unfold.
 class DrawnOrgans {
  public:
-  DrawnOrgans(const Traits& traits, const Model& model, const Pose& pose, double time);
+  /// `replaced`: of each organ whether it is left out; empty: none is.
+  DrawnOrgans(const Traits& traits, const Model& model, const Pose& pose, double time,
+              std::span<const char> replaced = {});
 
   /// By prototype, colour, age and shade; none is empty.
   std::vector<OrganGroup> groups;

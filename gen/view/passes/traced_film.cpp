@@ -55,9 +55,10 @@ struct TracedFilm::Parts {
 
   const Scene& scene;
   CopyPlan plan;
-  std::vector<std::size_t> moving;   // specimens
-  std::vector<DrawnSpecimen> still;  // the others
-  PlacedScene always;                // things that are the same at all times
+  std::vector<std::shared_ptr<const TwigPlan>> plans;  // of each specimen, as frames have them
+  std::vector<std::size_t> moving;                     // specimens
+  std::vector<DrawnSpecimen> still;                    // the others
+  PlacedScene always;                                  // things that are the same at all times
   std::map<ModelKey, Meshes> models;
   Meshes grain = std::make_shared<const MeshGroup>(std::vector{ball()}, MeshGroup::Shadows::none);
   mutable std::mutex lock;
@@ -77,6 +78,8 @@ struct TracedFilm::Parts {
  private:
   Meshes shape_of(std::size_t specimen, std::size_t number, const Prototype& prototype) const;
   Result<std::vector<Placed>> things_of(std::size_t specimen, const DrawList& list, bool changes) const;
+  void add_twigs(std::uint32_t owner, const DrawnTwigs& twigs, bool changes,
+                 std::vector<Placed>& things) const;
   void add_ground(std::vector<Placed>& things) const;
   Errors add_models();
 };
@@ -111,6 +114,7 @@ Result<std::vector<Placed>> TracedFilm::Parts::things_of(std::size_t specimen, c
     things.push_back(
         {{ThingKind::branches, owner, 0}, nullptr, std::make_shared<const BranchTubes>(std::move(*tubes))});
   }
+  if (list.twigs) add_twigs(owner, *list.twigs, !stands_still(scene.specimens[specimen]), things);
   for (const OrganGroup& group : list.organs.groups) {
     auto shape = shape_of(specimen, group.prototype, list.model.prototypes[group.prototype]);
     std::span<const std::uint32_t> numbers = list.organs.organs(group);
@@ -129,6 +133,28 @@ Result<std::vector<Placed>> TracedFilm::Parts::things_of(std::size_t specimen, c
                               mesh, body.places[k], body.now.has_value() || changes));
   }
   return things;
+}
+
+/// The twigs of a palette: the wood of each counts as branches, its organs as one organ.
+void TracedFilm::Parts::add_twigs(std::uint32_t owner, const DrawnTwigs& twigs, bool changes,
+                                  std::vector<Placed>& things) const {
+  std::vector<std::array<Meshes, 2>> meshes(twigs.shapes.size());
+  parallel_for(meshes.size(), [&](std::size_t k) {
+    std::array<std::vector<const Surface*>, 2> surfaces;  // wood, organs
+    for (const TwigPart& part : twigs.shapes[k])
+      surfaces[part.kind == CopyPart::Kind::wood ? 0 : 1].push_back(&part.surface);
+    for (std::size_t s = 0; s < surfaces.size(); ++s)
+      if (!surfaces[s].empty()) meshes[k][s] = std::make_shared<const MeshGroup>(std::move(surfaces[s]));
+  });
+  for (std::size_t i = 0; i < twigs.places.size(); ++i) {
+    const TwigPlan::Place& place = twigs.plan.places[i];
+    const auto& [wood, organs] = meshes[place.kept];
+    if (wood)
+      things.push_back(placed({ThingKind::branches, owner, static_cast<std::uint32_t>(place.node)}, wood,
+                              twigs.places[i], changes));
+    if (organs)
+      things.push_back(placed({ThingKind::organ, owner, place.organ}, organs, twigs.places[i], changes));
+  }
 }
 
 void TracedFilm::Parts::add_ground(std::vector<Placed>& things) const {
@@ -246,7 +272,7 @@ Result<std::vector<Placed>> TracedFilm::Parts::place(const std::vector<std::size
     auto now = developed(specimen, time);
     if (!now) return void(made[k] = now.errors());
     drawn[k].now = *now;
-    drawn[k].list = std::make_unique<DrawList>(**now, time);
+    drawn[k].list = std::make_unique<DrawList>(**now, time, (*now)->model.solids, plans[specimens[k]].get());
     made[k] = things_of(specimens[k], *drawn[k].list, specimen.life.develop != nullptr);
   });
   std::vector<Placed> things;
@@ -259,6 +285,7 @@ Result<std::vector<Placed>> TracedFilm::Parts::place(const std::vector<std::size
 
 Errors TracedFilm::Parts::prepare() {
   if (Errors errors = add_models(); !errors.empty()) return errors;
+  plans = twig_plans(scene);
   std::vector<std::size_t> unmoved;
   for (std::size_t i = 0; i < scene.specimens.size(); ++i)
     (stands_still(scene.specimens[i]) ? unmoved : moving).push_back(i);

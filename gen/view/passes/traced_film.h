@@ -17,8 +17,8 @@
 // traced before.
 //
 // Branches are the cones that POV-Ray sweeps, without the relief of a bark; bodies and organs the meshes of
-// the draw list in all detail. What a setting draws by text alone (the sea's surface, specks, mountains) is
-// not known here: rays go through it.
+// the draw list in all detail, twigs of a palette those that POV-Ray draws. What a setting draws by text
+// alone (the sea's surface, specks, mountains) is not known here: rays go through it.
 
 namespace frond {
 
@@ -42,7 +42,8 @@ struct Thing {
   ThingKind kind = ThingKind::nothing;
   std::uint32_t owner = 0;   ///< of a copy its set, of a patch its kind, of what grows the specimen, else 0
   std::uint32_t number = 0;  ///< among those of its kind: the organ's number in the model, a copy's, a
-                             ///< stone's, a grain's, a patch's
+                             ///< stone's, a grain's, a patch's; of a twig of a palette, that of its first
+                             ///< node as branches and that of its first organ as an organ
 
   auto operator<=>(const Thing&) const = default;
 };
