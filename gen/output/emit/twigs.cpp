@@ -52,26 +52,13 @@ struct TwigLook {
   std::string before, texture;
 };
 
+/// What has no pictures is no leaf.
 TwigLook organ_look(const Prototype& prototype, const OrganPart& part) {
   if (!part.pictures.empty())
     return {"#declare Twig_Files = " + array_text(part.pictures) + ";\n", picture_text(prototype.luster)};
-  std::string before = "#declare Twig_Hues = " + array_text(prototype.colors) + ";\n";
-  auto look = [&](std::string_view call) {
-    return TwigLook{before, lustrous(std::string(call), prototype.luster, "", {})};
-  };
-  switch (part.tissue) {
-    case Tissue::leaf:
-    case Tissue::ivy:
-    case Tissue::dew:
-      return look(call_text("Twig_Leaf", "Twig_Hues", prototype.second));
-    case Tissue::petal:
-      return look(call_text("Copy_Petal", "Twig_Hues", prototype.second, "<0,1,1>"));
-    case Tissue::heart:
-    case Tissue::fruit:
-    case Tissue::skin:
-      return look(call_text("Copy_Fruit", "Twig_Hues", prototype.second, "<0,1,1>"));
-  }
-  return {};
+  return {
+      "#declare Twig_Hues = " + array_text(prototype.colors) + ";\n",
+      lustrous(call_text("Copy_Fruit", "Twig_Hues", prototype.second, "<0,1,1>"), prototype.luster, "", {})};
 }
 
 /// The skins of the wood of each twig of a palette, each of one age.

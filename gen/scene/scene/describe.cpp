@@ -26,7 +26,7 @@ void describe(Properties& v, Film& f) {
   v.number(
       "twigs", f.twigs, {.min = 0, .max = 200},
       "Pixels: twigs of a large plant that nowhere in the film are longer than that are drawn as copies of "
-      "some hundred of them, which takes a fifth of the file and less time; 0: each is drawn by itself");
+      "some hundred of them, which takes a third of the file and less time; 0: each is drawn by itself");
 }
 
 namespace {

@@ -26,6 +26,16 @@ bool keeps_shape(const Specimen& b) {
          b.model.blades.size() == 0 && b.model.light.empty() && b.model.organs.loose.empty();
 }
 
+/// Whether all leaves that it bears are broad ones of pictures: needles made few would be a veil.
+bool bears_pictures(const Model& model) {
+  std::vector<char> borne(model.prototypes.size());
+  for (std::uint16_t which : model.organs.prototype) borne[which] = 1;
+  for (std::size_t p = 0; p < borne.size(); ++p)
+    for (const OrganPart& part : model.prototypes[p].parts)
+      if (borne[p] && is_leaf(part.tissue) && part.pictures.empty()) return false;
+  return true;
+}
+
 /// What grows from a node and beyond it.
 struct Bough {
   std::uint32_t organs = 0;
@@ -113,7 +123,8 @@ void set_limbs(TwigPlan& plan, const Model& model, const std::vector<std::int32_
 std::shared_ptr<const TwigPlan> twig_plan(const Specimen& plant, const std::vector<Eye>& eyes,
                                           double longest) {
   const Model& model = plant.model;
-  if (longest <= 0 || eyes.empty() || model.organs.size() < kManyOrgans || !keeps_shape(plant))
+  if (longest <= 0 || eyes.empty() || model.organs.size() < kManyOrgans || !keeps_shape(plant) ||
+      !bears_pictures(model))
     return nullptr;
   double grain = 1e30;
   std::vector<std::int32_t> twig = cut_twigs(model, eyes, longest, grain);

@@ -47,7 +47,7 @@ inline std::size_t joint_of(const Skeleton& rest, std::int32_t node) {
 
 /// The plan for a plant that a film's cameras see; `longest` is how many pixels a twig may be long where they
 /// come nearest to it. Null where each twig is drawn by itself: where the plant is small, grows, loses its
-/// leaves or carries snow, or where its twigs are near.
+/// leaves or carries snow, where its leaves are no pictures, as needles are not, or its twigs are near.
 std::shared_ptr<const TwigPlan> twig_plan(const Specimen& plant, const std::vector<Eye>& eyes,
                                           double longest);
 
