@@ -132,20 +132,10 @@ class Heaps {
            holding(level) * load_.share[i] * load_.left(i, time_);
   }
 
-  /// Whether it is a sprig of needles, which stand out and face all sides; a leaf that is curled is high,
-  /// too, but faces one.
+  /// Whether it is a sprig of needles, which stand out on all sides, and not flat.
   static bool is_sprig(const Prototype& organ, const Bounds& box) {
-    const OrganPart& part = organ.parts.front();
-    if (part.tissue != Tissue::leaf || box.size().z <= 0.3f * box.size().x || box.size().x >= box.high.y)
-      return false;
-    Vec3 facing{0};
-    float area = 0;
-    for (const auto& triangle : part.surface.triangle) {
-      Vec3 own = area_of(part.surface, triangle);
-      facing += own;
-      area += glm::length(own);
-    }
-    return glm::length(facing) < 0.5f * area;
+    return organ.parts.front().tissue == Tissue::leaf && box.size().z > 0.3f * box.size().x &&
+           box.size().x < box.high.y;
   }
 
   void add_tuft(const OrganPlace& place, const Bounds& box, std::size_t node, Seed seed,
