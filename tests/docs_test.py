@@ -71,7 +71,7 @@ def small(words):
     words += ["--size", "32x24", "--jobs", "1"]
     reef = next((word for word in words if word in ("presets/reef.json", "presets/thicket.json")), None)
     if reef:  # one coral of it stands for all
-        words[words.index(reef)] = "presets/staghorn.json"
+        words[words.index(reef)] = "tests/presets/staghorn.json"
         words += ["--set", "/film/frames=96"] + ([] if "-o" in words else ["-o", "out/reef"])
     sheet = any(w.startswith(("--contact", "--sweep")) for w in words)
     film = any(w.endswith("frames=2") for w in words)

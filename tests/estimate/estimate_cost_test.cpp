@@ -21,7 +21,7 @@ CostEstimate estimate_of(const Preset& preset) { return *estimate_cost(preset, {
 TEST(CostEstimate, IsWithinAFactorOfTwoOfWhatIsWritten) {
   std::string layout = *read_file(FROND_ROOT "/templates/frame.pov");
   for (const char* path :
-       {"presets/bush.json", "presets/fan.json", "presets/staghorn.json", "presets/tufted.json",
+       {"presets/bush.json", "presets/fan.json", "tests/presets/staghorn.json", "presets/tufted.json",
         "presets/lsystems/trees-2.6.json", "presets/lsystems/plants-1.24.json",
         "presets/lsystems/sunflower-4.json", "presets/garden/bush.json", "presets/garden/tree.json",
         "presets/garden/palm.json", "presets/ivy/brick_wall.json", "presets/heart_tree.json",
@@ -78,7 +78,7 @@ TEST(CostEstimate, KnowsThatLongRowsOfASheetTakeLongerEach) {
 }
 
 TEST(CostEstimate, RefusesAFilmThatTheDiskCannotHold) {
-  Preset preset = preset_at("presets/staghorn.json", {"/film/frames=100000"});
+  Preset preset = preset_at("tests/presets/staghorn.json", {"/film/frames=100000"});
   CostEstimate f = estimate_of(preset);
   Machine machine;
   EXPECT_TRUE(refuse(f, machine).empty());
@@ -116,7 +116,7 @@ TEST(CostEstimate, ReckonsRenderingByPixelsAndQuality) {
 
 TEST(CostEstimate, CountsPicturesByTheirPixels) {
   auto bytes = [](const char* size) {
-    return estimate_of(preset_at("presets/staghorn.json", {std::string("/film/size=") + size})).picture_bytes;
+    return estimate_of(preset_at("tests/presets/staghorn.json", {std::string("/film/size=") + size})).picture_bytes;
   };
   EXPECT_NEAR(bytes("[640,360]"), 16 * bytes("[160,90]"), 1);
   EXPECT_NEAR(bytes("[320,200]"), bytes("[200,320]"), 1);

@@ -138,7 +138,7 @@ class Scenes(unittest.TestCase):
             frond.read(TINY).grow(enough)
 
     def test_other_threads_go_on(self):
-        preset, went = frond.read(ROOT / "presets/staghorn.json"), []
+        preset, went = frond.read(ROOT / "tests/presets/staghorn.json"), []
         growing = threading.Thread(target=lambda: went.append(preset.grow().nodes))
         growing.start()
         turns = 0

@@ -137,7 +137,7 @@ TEST(Sowing, SownTreesDoNotJoinTheGrove) {
 }
 
 TEST(Sowing, PlacesInAForestReachAsFarAsItsLand) {
-  std::string far = R"({"kind": "vase", "place": {"at": [[100, 0]]}})";
+  std::string far = R"({"kind": "vase", "place": {"at": [[110, 0]]}})";
   EXPECT_TRUE(read_sown("forest", far, kHills).ok());
   EXPECT_FALSE(read_sown("meadow", far).ok());
 }

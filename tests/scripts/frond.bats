@@ -187,13 +187,13 @@ setup() {
 }
 
 @test "look offers six composed views, each of which is asked for by what it says" {
-  run --separate-stderr "$frond" look "$root/presets/staghorn.json" --size 64x48 --views
+  run --separate-stderr "$frond" look "$root/tests/presets/staghorn.json" --size 64x48 --views
   [ "$status" -eq 0 ]
   [ "$output" = staghorn_views.png ]
   [ "$(od -An -tx1 -j 16 -N 8 staghorn_views.png | tr -d ' ')" = 0000008400000098 ]
   [ "$(grep -c -- '--set /scene/camera/compose/light=' <<<"$stderr")" -eq 6 ]
   read -ra set <<<"$(sed -n 's/^row 1, left: //p' <<<"$stderr")"
-  "$frond" look "$root/presets/staghorn.json" --size 64x48 "${set[@]}" -o one.png
+  "$frond" look "$root/tests/presets/staghorn.json" --size 64x48 "${set[@]}" -o one.png
   # The first of the six, which is pasted at the upper left, is that picture.
   for file in one staghorn_views; do
     ffmpeg -v error -y -i $file.png -vf crop=64:48:0:0 -f rawvideo -pix_fmt rgb24 $file.rgb
@@ -202,18 +202,18 @@ setup() {
 }
 
 @test "look draws a picture and says how large all has grown" {
-  run --separate-stderr "$frond" look "$root/presets/staghorn.json" --size 64x48 --set '/scene/camera/fit=["all"]'
+  run --separate-stderr "$frond" look "$root/tests/presets/staghorn.json" --size 64x48 --set '/scene/camera/fit=["all"]'
   [ "$status" -eq 0 ]
   [ "$output" = staghorn_look.png ]
   [[ "$stderr" == *" high, "*" wide, stem of "* ]]
   [ "$(od -An -tx1 -j 16 -N 8 staghorn_look.png | tr -d ' ')" = 0000004000000030 ]
-  run "$frond" info "$root/presets/staghorn.json" --sizes --json
+  run "$frond" info "$root/tests/presets/staghorn.json" --sizes --json
   [ "$status" -eq 0 ]
   python3 -c 'import json, sys; size = json.load(sys.stdin)["sizes"][0]; assert size["height"] > 0.05 and size["stem"] > 0' <<<"$output"
-  run "$frond" look "$root/presets/staghorn.json" -o picture.jpg
+  run "$frond" look "$root/tests/presets/staghorn.json" -o picture.jpg
   [ "$status" -eq 2 ]
   [[ "$output" == *"expected .png"* ]]
-  run "$frond" look "$root/presets/staghorn.json" --set '/scene/camera/fit=["stag"]'
+  run "$frond" look "$root/tests/presets/staghorn.json" --set '/scene/camera/fit=["stag"]'
   [ "$status" -eq 2 ]
   [[ "$output" == *"/scene/camera/fit/0: no organism \"stag\" to fit"* ]]
 }
@@ -738,10 +738,10 @@ JSON
 }
 
 @test "a film that the disk cannot hold is refused" {
-  run "$frond" info "$root/presets/staghorn.json" --set /film/frames=100000
+  run "$frond" info "$root/tests/presets/staghorn.json" --set /film/frames=100000
   figure=$output
   [[ "$figure" == *"100000 frames of "*" GB in all"* ]]
-  run "$frond" generate "$root/presets/staghorn.json" --set /film/frames=100000 --set /film/size=[64,36] -o /proc/none -q
+  run "$frond" generate "$root/tests/presets/staghorn.json" --set /film/frames=100000 --set /film/size=[64,36] -o /proc/none -q
   [ "$status" -eq 2 ]
   [[ "$output" == *"of the disk are free"* ]]
 }

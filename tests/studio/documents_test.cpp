@@ -196,14 +196,15 @@ TEST_F(DocumentsTest, AMeshGetsAPlainNameOfItsOwn) {
 
 TEST_F(DocumentsTest, ACopyTakesTheFilesThatItNamesAlong) {
   Documents d = documents();
-  fs::path ivy = fs::weakly_canonical(fs::absolute(FROND_ROOT "/presets/ivy/any_mesh.json"));
+  fs::path ivy = fs::weakly_canonical(fs::absolute(FROND_ROOT "/tests/presets/ivy_on_arch.json"));
   std::string text = *read_file(ivy);
   Answer saved = d.save("mine.json", {text, ivy}, "", false);
   ASSERT_EQ(saved.status, 200);
   std::string moved = *read_file(folder_ / "own/mine.json");
   EXPECT_EQ(moved, saved.json["text"]);
   std::string expected = text;
-  expected.replace(expected.find("../models/arch.obj"), 18, "arch.obj");
+  std::string_view mesh = "../../presets/models/arch.obj";
+  expected.replace(expected.find(mesh), mesh.size(), "arch.obj");
   EXPECT_EQ(moved, expected);  // nothing else has changed
   EXPECT_TRUE(d.preset({moved, folder_ / "own/mine.json"}).ok());
 }

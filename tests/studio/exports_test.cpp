@@ -8,7 +8,7 @@ namespace frond {
 namespace {
 
 TEST(Exports, TrianglesAreToldBeforeAnythingIsWritten) {
-  std::string path = FROND_ROOT "/presets/staghorn.json";
+  std::string path = FROND_ROOT "/tests/presets/staghorn.json";
   Result<Preset> preset = read_preset(*read_file(path), path, {"/organisms/0/steps=3"});
   ASSERT_TRUE(preset) << preset.errors().front().text();
   Scene scene = *build_scene(*preset);

@@ -85,7 +85,7 @@ std::vector<Sent> sent(const DrawnPart& part) {
 }
 
 TEST(View, APictureOfTheBarkGoesOnFromSegmentToSegment) {
-  std::string path = FROND_ROOT "/presets/staghorn.json";
+  std::string path = FROND_ROOT "/tests/presets/staghorn.json";
   Result<Preset> preset = read_preset(*read_file(path), path, {"/organisms/0/steps=2"});
   ASSERT_TRUE(preset) << preset.errors().front().text();
   Scene scene = *build_scene(*preset);
