@@ -116,7 +116,8 @@ TEST(CostEstimate, ReckonsRenderingByPixelsAndQuality) {
 
 TEST(CostEstimate, CountsPicturesByTheirPixels) {
   auto bytes = [](const char* size) {
-    return estimate_of(preset_at("tests/presets/staghorn.json", {std::string("/film/size=") + size})).picture_bytes;
+    return estimate_of(preset_at("tests/presets/staghorn.json", {std::string("/film/size=") + size}))
+        .picture_bytes;
   };
   EXPECT_NEAR(bytes("[640,360]"), 16 * bytes("[160,90]"), 1);
   EXPECT_NEAR(bytes("[320,200]"), bytes("[200,320]"), 1);
