@@ -165,8 +165,10 @@ global_settings {{ assumed_gamma 1 }}
 #include "frond_copy.inc"
 light_source {{ z*{9 if behind else -9}, rgb 1 parallel }}
 camera {{ orthographic location -3*z look_at 0 right x up 0.75*y }}
-#local F = array[1] {{ pigment {{ Copy_File("leaf.png", 0) }} }}
-#local H = array[1] {{ pigment {{ Copy_File("leaf.png", 0.5) }} }}
+#declare Whole = pigment {{ Copy_File("leaf.png", 0) }}
+#declare Half = pigment {{ Copy_File("leaf.png", 0.5) }}
+#local F = array[1] {{ Whole }}
+#local H = array[1] {{ Half }}
 mesh2 {{
   vertex_vectors {{ 4, <-2, -2, 0>, <2, -2, 0>, <2, 2, 0>, <-2, 2, 0> }}
   uv_vectors {{ 4, <0.1, 0.1>, <0.9, 0.1>, <0.9, 0.9>, <0.1, 0.9> }}

@@ -304,6 +304,7 @@ TEST(CostEstimate, RefusesPicturesThatCannotBeResolved) {
   EXPECT_EQ(errors.front().where, "/film/size");
   EXPECT_NE(errors.front().what.find("--no-resolve"), std::string::npos);
   preset.film.frames = 1;  // a still is made in bands
+  preset.setup.camera.aperture = 0;
   EXPECT_LT(estimate_of(preset).resolve_memory, 1e10);
   preset.setup.camera.aperture = 2;
   EXPECT_GT(estimate_of(preset).resolve_memory, 1e11) << "through a lens light comes from everywhere";

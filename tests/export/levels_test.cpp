@@ -22,10 +22,14 @@ const Scene& tree(const std::string& name, bool young = true) {
   static std::map<std::pair<std::string, bool>, Scene> grown;
   auto at = grown.find({name, young});
   if (at == grown.end()) {
-    std::vector<std::string> sets;
-    if (young) sets = {"/organisms/0/years=9"};
-    Scene scene = scene_of_file("presets/trees/" + name + ".json", sets);
-    at = grown.emplace(std::pair(name, young), std::move(scene)).first;
+    // Alone, whatever stands round it in its preset.
+    std::vector<std::string> sets{R"(/scene={"setting": "meadow", "floor": {"relief": 0.3}})"};
+    if (young) sets.emplace_back("/organisms/0/years=9");
+    std::string path = "presets/trees/" + name + ".json";
+    Result<Preset> preset = read_preset(*read_file(path), path, sets);
+    EXPECT_TRUE(preset) << preset.errors()[0].text();
+    preset->organisms.resize(1);
+    at = grown.emplace(std::pair(name, young), *build_scene(*preset)).first;
   }
   return at->second;
 }
