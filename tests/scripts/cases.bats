@@ -126,7 +126,8 @@ setup() {
 
 @test "levels of detail keep the box, the leaves and the trunk of the first" {
   for tree in birch spruce; do
-    run "$frond" export "$root/presets/trees/$tree.json" --set /organisms/0/years=12 --lods 4 --texture 0 -o $tree.glb
+    echo '{"scene": {"setting": "meadow"}, "organisms": [{"species": "trees/'$tree'", "years": 12}]}' >$tree.json
+    run "$frond" export $tree.json --lods 4 --texture 0 -o $tree.glb
     [ "$status" -eq 0 ]
     python3 "$cases/11-lod-silhouette/levels.py" $tree.glb
   done
