@@ -109,8 +109,8 @@ TEST(View, APictureOfTheBarkGoesOnFromSegmentToSegment) {
 }
 
 TEST(View, AnyNumberOfTheFirstBranchesHangsTogether) {
-  for (auto [name, set] :
-       {std::pair{"../tests/presets/staghorn", "/organisms/0/steps=4"}, {"trees/birch", "/organisms/0/years=6"}}) {
+  for (auto [name, set] : {std::pair{"../tests/presets/staghorn", "/organisms/0/steps=4"},
+                           {"trees/birch", "/organisms/0/years=6"}}) {
     std::string path = std::string(FROND_ROOT "/presets/") + name + ".json";
     Result<Preset> preset = read_preset(*read_file(path), path, {set});
     ASSERT_TRUE(preset) << preset.errors().front().text();

@@ -196,11 +196,27 @@ void declare_once(std::string& text, std::string_view id, std::string_view what)
   text += fmt::format("#ifndef ({0}) #declare {0} = {1} #end\n", id, what);
 }
 
+void declare_pictures(std::string& text, const std::vector<std::string>& files, bool lit) {
+  for (const std::string& file : files) {
+    declare_once(text, picture_id("Picture", file), fmt::format("pigment{{Copy_File(\"{}\",0)}}", file));
+    if (lit)
+      declare_once(text, picture_id("Half", file), fmt::format("pigment{{Copy_File(\"{}\",0.5)}}", file));
+  }
+}
+
+std::string array_of(std::string_view as, const std::vector<std::string>& files) {
+  std::string text = fmt::format("array[{}]{{", files.size());
+  for (const std::string& file : files) {
+    if (text.back() != '{') text += ',';
+    text += picture_id(as, file);
+  }
+  return text + '}';
+}
+
 void declare_coat(std::string& text, const BranchLook& look, std::size_t color) {
   const BarkCoat* coat = look.coat_of(color);
   if (!coat) return;
-  std::string file = bark_color_name(*coat);
-  declare_once(text, picture_id("Picture", file), fmt::format("pigment{{Copy_File(\"{}\",0)}}", file));
+  declare_pictures(text, {bark_color_name(*coat)}, false);
   declare_once(
       text, relief_id(*coat),
       fmt::format("normal{{Copy_Relief(\"{}\",{})}}", bark_height_name(*coat), number_text(coat->relief, 4)));

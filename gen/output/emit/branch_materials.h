@@ -58,6 +58,12 @@ std::string picture_id(std::string_view as, std::string_view file);
 /// Declares something unless another has already.
 void declare_once(std::string& text, std::string_view id, std::string_view what);
 
+/// Declares pictures of leaves, "Picture" of each, and where what comes through has another colour its
+/// "Half".
+void declare_pictures(std::string& text, const std::vector<std::string>& files, bool lit);
+/// An array of declared pictures.
+std::string array_of(std::string_view as, const std::vector<std::string>& files);
+
 /// Declares the pictures that copy_texture() names.
 void declare_coat(std::string& text, const BranchLook& look, std::size_t color);
 /// What stands in the texture of a copy's branches of one colour, for a tint T.

@@ -34,26 +34,12 @@ std::string leaf_look(const std::vector<Color>& colors, const Color& second, Tis
 bool is_lit(const Prototype& prototype) { return prototype.luster && prototype.luster->yellow > 0; }
 
 /// Declares the pictures that the look of a part names.
-void declare_pictures(std::string& text, const CopyPart& part, const Look& look, const Model& model) {
+void declare_part(std::string& text, const CopyPart& part, const Look& look, const Model& model) {
   if (part.kind == CopyPart::Kind::wood)
     declare_coat(text, look.branches, look.branches.color_of(part.which));
   if (part.kind != CopyPart::Kind::organ) return;
   const Prototype& prototype = model.prototypes[part.which];
-  for (const std::string& file : prototype.parts[part.part].pictures) {
-    declare_once(text, picture_id("Picture", file), fmt::format("pigment{{Copy_File(\"{}\",0)}}", file));
-    if (is_lit(prototype))
-      declare_once(text, picture_id("Half", file), fmt::format("pigment{{Copy_File(\"{}\",0.5)}}", file));
-  }
-}
-
-/// An array of declared pictures.
-std::string array_of(std::string_view as, const std::vector<std::string>& files) {
-  std::string text = fmt::format("array[{}]{{", files.size());
-  for (const std::string& file : files) {
-    if (text.back() != '{') text += ',';
-    text += picture_id(as, file);
-  }
-  return text + "}; ";
+  declare_pictures(text, prototype.parts[part.part].pictures, is_lit(prototype));
 }
 
 /// The colours of the leaves of a part, of which there may be more than those that it wears: a map of POV-Ray
@@ -108,11 +94,11 @@ std::string look_of(const CopyPart& part, const Look& look, const Model& model, 
       const OrganPart& organ = prototype.parts[part.part];
       if (organ.pictures.empty())
         return leaf_look(colors, prototype.second, organ.tissue, plain, prototype.luster);
-      std::string text = "#local F = " + array_of("Picture", organ.pictures);
+      std::string text = "#local F = " + array_of("Picture", organ.pictures) + "; ";
       Luster luster = prototype.luster.value_or(Luster{.gloss = 0.13});
       std::string how = fmt::format("{:.4g},{:.4g}", luster.through, luster.gloss);
       if (!is_lit(prototype)) return text + "texture{Copy_Picture(F,T," + how + ")}";
-      return text + "#local H = " + array_of("Half", organ.pictures) +
+      return text + "#local H = " + array_of("Half", organ.pictures) + "; " +
              fmt::format("texture{{Copy_Lit(F,H,T,{},{:.4g})}}", how, luster.yellow);
     }
     case CopyPart::Kind::solid:
@@ -175,7 +161,7 @@ std::vector<int> append_parts(std::string& text, std::string_view name, const Lo
     if (file.blocks == 0 && !has_faces(shown)) continue;  // as where it has only begun to grow
     parts.push_back(static_cast<int>(p));
     std::string own = part_name(name, p);
-    declare_pictures(text, part, look, model);
+    declare_part(text, part, look, model);
     text += fmt::format("#declare {} = ", own);
     if (file.blocks > 0)
       append_joined(text, part, name, p);

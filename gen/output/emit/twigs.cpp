@@ -29,19 +29,14 @@ std::string array_text(const std::vector<Color>& colors) {
   return text + '}';
 }
 
-std::string array_text(const std::vector<std::string>& files) {
-  std::string text = fmt::format("array[{}]{{", files.size());
-  for (const std::string& file : files) text += fmt::format("{}\"{}\"", text.back() != '{' ? "," : "", file);
-  return text + '}';
-}
-
 /// The textures of leaves of pictures: glossy above, matt below where they have a luster of their own.
 std::string picture_text(const std::optional<Luster>& luster) {
-  if (!luster) return "texture{Twig_Picture(Twig_Files,0.62,0.34,0.13)}";
+  if (!luster) return "texture{Twig_Picture(Twig_Pictures,0.62,0.34,0.13)}";
   auto side = [&](double gloss) {
     if (luster->yellow > 0)
-      return fmt::format("Twig_Lit(Twig_Files,{:.4g},{:.4g},{:.4g})", luster->through, luster->yellow, gloss);
-    return fmt::format("Twig_Picture(Twig_Files,{:.4g},{:.4g},{:.4g})", 0.94 * (1 - luster->through),
+      return fmt::format("Twig_Lit(Twig_Pictures,Twig_Halves,{:.4g},{:.4g},{:.4g})", luster->through,
+                         luster->yellow, gloss);
+    return fmt::format("Twig_Picture(Twig_Pictures,{:.4g},{:.4g},{:.4g})", 0.94 * (1 - luster->through),
                        0.94 * luster->through, gloss);
   };
   return "texture{" + side(luster->gloss) + "}interior_texture{" + side(0) + '}';
@@ -54,8 +49,14 @@ struct TwigLook {
 
 /// What has no pictures is no leaf.
 TwigLook organ_look(const Prototype& prototype, const OrganPart& part) {
-  if (!part.pictures.empty())
-    return {"#declare Twig_Files = " + array_text(part.pictures) + ";\n", picture_text(prototype.luster)};
+  if (!part.pictures.empty()) {
+    bool lit = prototype.luster && prototype.luster->yellow > 0;
+    std::string before;
+    declare_pictures(before, part.pictures, lit);
+    before += "#declare Twig_Pictures = " + array_of("Picture", part.pictures) + ";\n";
+    if (lit) before += "#declare Twig_Halves = " + array_of("Half", part.pictures) + ";\n";
+    return {before, picture_text(prototype.luster)};
+  }
   return {
       "#declare Twig_Hues = " + array_text(prototype.colors) + ";\n",
       lustrous(call_text("Copy_Fruit", "Twig_Hues", prototype.second, "<0,1,1>"), prototype.luster, "", {})};
