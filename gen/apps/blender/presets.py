@@ -98,7 +98,7 @@ def read(file, depth=0):
 
 def species(file):
     """What a preset says of its first organism, without where that stands."""
-    found = copy.deepcopy(organisms(file)[0])
+    found = copy.deepcopy(organisms(file, 1)[0])  # others of it may be of this species themselves
     for name in NEVER_OF_SPECIES[0]:
         found.pop(name, None)
     for name in NEVER_OF_SPECIES[1]:
@@ -107,10 +107,11 @@ def species(file):
 
 
 @by_date
-def organisms(file):
-    """All that a preset says of each of its organisms: its own values over those of its species and of the defaults."""
+def organisms(file, most=None):
+    """All that a preset says of each of its organisms, or the first of them: its own values over those of its species and of
+    the defaults."""
     document, found = read(file), []
-    for own in document.get("organisms", []):
+    for own in document.get("organisms", [])[:most]:
         if own.get("species"):
             try:
                 own = overlay(species(os.path.join(os.path.dirname(file), own["species"])), own)
