@@ -121,7 +121,8 @@ def main(frond, preset, folder, least, *sets):
     with open(preset, encoding="utf-8") as file:
         given = json.loads(re.sub(r'("(?:[^"\\]|\\.)*")|//[^\n]*', lambda m: m[1] or "", file.read()))  # no comments
     camera = given.get("scene", {}).get("camera", {})
-    sets = ["--set", "/scene=" + json.dumps({"setting": "studio", "camera": camera}), *sets]
+    # Exports have each twig as it is.
+    sets = ["--set", "/scene=" + json.dumps({"setting": "studio", "camera": camera}), "--set", "/film/twigs=0", *sets]
     info = json.loads(subprocess.run([frond, "info", preset, "--json", *sets], check=True, capture_output=True).stdout)
     frame = info["frames"]
     wide, high = given.get("film", {}).get("size", (4, 3))
