@@ -111,7 +111,8 @@ TEST(Preset, ShippedOnesRaiseNoWarnings) {
 }
 
 TEST(Scene, TellsAsManyStepsAsItForetold) {
-  for (const char* path : {"presets/ivy/brick_wall.json", "presets/thicket.json", "presets/garden/vases.json"}) {
+  for (const char* path :
+       {"presets/ivy/brick_wall.json", "presets/thicket.json", "presets/garden/vases.json"}) {
     std::size_t estimate = 0;
     std::atomic<std::size_t> told = 0;
     ProgressSink watch{[&](std::string_view, std::size_t steps) { estimate += steps; }, [&] { ++told; }};
