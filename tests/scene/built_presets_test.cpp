@@ -10,10 +10,11 @@ namespace frond {
 namespace {
 
 Scene built(const std::string& name) {
-  std::ifstream file(FROND_ROOT "/presets/garden/" + name + ".json");
+  std::string path = FROND_ROOT "/presets/garden/" + name + ".json";
+  std::ifstream file(path);
   std::stringstream text;
   text << file.rdbuf();
-  Result<Preset> preset = read_preset(text.str(), name, {"/scene/meadow/extent=0.1"});
+  Result<Preset> preset = read_preset(text.str(), path, {"/scene/meadow/extent=0.1"});
   EXPECT_TRUE(preset.ok()) << (preset ? "" : preset.errors()[0].text());
   Result<Scene> scene = build_scene(*preset);
   EXPECT_TRUE(scene.ok()) << (scene ? "" : scene.errors()[0].text());

@@ -213,6 +213,17 @@ std::string array_of(std::string_view as, const std::vector<std::string>& files)
   return text + '}';
 }
 
+std::string array_of(const std::vector<Color>& colors) {
+  std::string text = fmt::format("array[{}]{{", colors.size());
+  for (const Color& color : colors) {
+    if (text.back() != '{') text += ',';
+    append_color(text, color);
+  }
+  return text + '}';
+}
+
+bool is_lit(const std::optional<Luster>& luster) { return luster && luster->yellow > 0; }
+
 void declare_coat(std::string& text, const BranchLook& look, std::size_t color) {
   const BarkCoat* coat = look.coat_of(color);
   if (!coat) return;

@@ -61,8 +61,11 @@ void declare_once(std::string& text, std::string_view id, std::string_view what)
 /// Declares pictures of leaves, "Picture" of each, and where what comes through has another colour its
 /// "Half".
 void declare_pictures(std::string& text, const std::vector<std::string>& files, bool lit);
-/// An array of declared pictures.
+/// An array of declared pictures; one of colours.
 std::string array_of(std::string_view as, const std::vector<std::string>& files);
+std::string array_of(const std::vector<Color>& colors);
+/// Whether light that comes through leaves has another colour.
+bool is_lit(const std::optional<Luster>& luster);
 
 /// Declares the pictures that copy_texture() names.
 void declare_coat(std::string& text, const BranchLook& look, std::size_t color);

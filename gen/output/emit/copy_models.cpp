@@ -20,18 +20,11 @@ constexpr const char* kCopyMacros[] = {"Copy_Leaf",  "Copy_Petal", "Copy_Fruit",
 
 std::string leaf_look(const std::vector<Color>& colors, const Color& second, Tissue tissue, bool plain,
                       const std::optional<Luster>& luster) {
-  std::string text = fmt::format("#local C = array[{}]{{", colors.size());
-  for (const Color& color : colors) {
-    if (text.back() != '{') text += ',';
-    append_color(text, color);
-  }
   std::string look =
       call_text(plain ? "Copy_Far" : kCopyMacros[static_cast<std::size_t>(tissue)], "C", second, "T");
-  return text + "}; " + lustrous(look, luster, plain ? "" : relief_macro(tissue), {});
+  return "#local C = " + array_of(colors) + "; " +
+         lustrous(look, luster, plain ? "" : relief_macro(tissue), {});
 }
-
-/// Whether light that comes through its leaves has another colour.
-bool is_lit(const Prototype& prototype) { return prototype.luster && prototype.luster->yellow > 0; }
 
 /// Declares the pictures that the look of a part names.
 void declare_part(std::string& text, const CopyPart& part, const Look& look, const Model& model) {
@@ -39,7 +32,7 @@ void declare_part(std::string& text, const CopyPart& part, const Look& look, con
     declare_coat(text, look.branches, look.branches.color_of(part.which));
   if (part.kind != CopyPart::Kind::organ) return;
   const Prototype& prototype = model.prototypes[part.which];
-  declare_pictures(text, prototype.parts[part.part].pictures, is_lit(prototype));
+  declare_pictures(text, prototype.parts[part.part].pictures, is_lit(prototype.luster));
 }
 
 /// The colours of the leaves of a part, of which there may be more than those that it wears: a map of POV-Ray
@@ -97,7 +90,7 @@ std::string look_of(const CopyPart& part, const Look& look, const Model& model, 
       std::string text = "#local F = " + array_of("Picture", organ.pictures) + "; ";
       Luster luster = prototype.luster.value_or(Luster{.gloss = 0.13});
       std::string how = fmt::format("{:.4g},{:.4g}", luster.through, luster.gloss);
-      if (!is_lit(prototype)) return text + "texture{Copy_Picture(F,T," + how + ")}";
+      if (!is_lit(prototype.luster)) return text + "texture{Copy_Picture(F,T," + how + ")}";
       return text + "#local H = " + array_of("Half", organ.pictures) + "; " +
              fmt::format("texture{{Copy_Lit(F,H,T,{},{:.4g})}}", how, luster.yellow);
     }

@@ -20,20 +20,11 @@ using LookKey = std::tuple<CopyPart::Kind, std::size_t, std::size_t>;
 
 std::string twig_name(std::size_t kept, std::size_t part) { return fmt::format("Twig{}_{}", kept, part); }
 
-std::string array_text(const std::vector<Color>& colors) {
-  std::string text = fmt::format("array[{}]{{", colors.size());
-  for (const Color& color : colors) {
-    if (text.back() != '{') text += ',';
-    append_color(text, color);
-  }
-  return text + '}';
-}
-
 /// The textures of leaves of pictures: glossy above, matt below where they have a luster of their own.
 std::string picture_text(const std::optional<Luster>& luster) {
   if (!luster) return "texture{Twig_Picture(Twig_Pictures,0.62,0.34,0.13)}";
   auto side = [&](double gloss) {
-    if (luster->yellow > 0)
+    if (is_lit(luster))
       return fmt::format("Twig_Lit(Twig_Pictures,Twig_Halves,{:.4g},{:.4g},{:.4g})", luster->through,
                          luster->yellow, gloss);
     return fmt::format("Twig_Picture(Twig_Pictures,{:.4g},{:.4g},{:.4g})", 0.94 * (1 - luster->through),
@@ -50,7 +41,7 @@ struct TwigLook {
 /// What has no pictures is no leaf.
 TwigLook organ_look(const Prototype& prototype, const OrganPart& part) {
   if (!part.pictures.empty()) {
-    bool lit = prototype.luster && prototype.luster->yellow > 0;
+    bool lit = is_lit(prototype.luster);
     std::string before;
     declare_pictures(before, part.pictures, lit);
     before += "#declare Twig_Pictures = " + array_of("Picture", part.pictures) + ";\n";
@@ -58,7 +49,7 @@ TwigLook organ_look(const Prototype& prototype, const OrganPart& part) {
     return {before, picture_text(prototype.luster)};
   }
   return {
-      "#declare Twig_Hues = " + array_text(prototype.colors) + ";\n",
+      "#declare Twig_Hues = " + array_of(prototype.colors) + ";\n",
       lustrous(call_text("Copy_Fruit", "Twig_Hues", prototype.second, "<0,1,1>"), prototype.luster, "", {})};
 }
 
