@@ -2,6 +2,7 @@
 
 import { el, grouped, iconButton, quiet } from "../../../gen/apps/studio/page/src/dom";
 import { removeAt, setAt } from "../../../gen/apps/studio/page/src/edits";
+import { Preset } from "../../../gen/apps/studio/page/src/preset";
 import { INTERNODES, latest, treeOf, type Tree } from "./engine";
 import { glbOf } from "./glb";
 import { copyLink, handing, save } from "./savings";
@@ -26,12 +27,17 @@ interface Species {
   seed: number;
 }
 
-/** The presets that grow one tree. */
+/** A preset's first organism without what stands around it, or null if that is no tree or not the only one. */
+function aloneIn(text: string): Species | null {
+  const { own, organisms: [first, ...others] } = new Preset(text);
+  if (first?.kind !== "tree" || others.some(({ kind }) => kind === "tree")) return null;
+  const alone = others.reduceRight<string>((rest, _, i) => removeAt(rest, ["organisms", i + 1]), text);
+  return { text: removeAt(alone, ["scene", "far", "trees"]), years: Number(first.years ?? 1), seed: Number(own.seed ?? 1) };
+}
 const files = import.meta.glob("../../../presets/trees/*.json", { eager: true, query: "?raw", import: "default" }) as Record<string, string>;
-const numberOf = (text: string, name: string): number => Number(new RegExp(`"${name}":\\s*(\\d+)`).exec(text)?.[1] ?? 1);
 const species = new Map<string, Species>(Object.entries(files)
-  .filter(([, text]) => text.split('"kind": "tree"').length === 2 && /"kind": "(\w+)"/.exec(text)![1] === "tree")
-  .map(([path, text]) => [/(\w+)\.json$/.exec(path)![1]!, { text, years: numberOf(text, "years"), seed: numberOf(text, "seed") }]));
+  .map(([path, text]) => [/(\w+)\.json$/.exec(path)![1]!, aloneIn(text)] as const)
+  .filter((one): one is [string, Species] => one[1] !== null));
 
 const begin = (name: string): Choice => ({ species: name, years: species.get(name)!.years, seed: species.get(name)!.seed, time: 0.5 });
 let choice: Choice = begin(FIRST);
