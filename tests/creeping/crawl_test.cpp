@@ -67,6 +67,30 @@ TEST(Crawl, KeepsToEverySurface) {
   }
 }
 
+TEST(Crawl, TwinesUpAPoleInAHelixOfItsPitchAndHand) {
+  constexpr double kRadius = 0.04;
+  TriangleSurface pole = built(sheet(64, 120, true, false, [](double u, double v) {
+    double a = 2 * kPi * u;
+    return Vec3(kRadius * std::cos(a), 2.4 * v, -kRadius * std::sin(a));
+  }));
+  for (double pitch : {radians(62.0), radians(-35.0)}) {
+    Crawl crawl;
+    crawl.lure = Lure::round, crawl.pitch = pitch, crawl.bias = {0.9};
+    crawl.speed = 0.005, crawl.wander = 0, crawl.branch_depth = 0, crawl.spacing = 0, crawl.max_age = 300;
+    Strands s = grow_strands(pole, {{.place = DVec3(kRadius, 0.1, 0)}}, crawl, Seed{1});
+    ASSERT_EQ(s.strands.size(), 1u);
+    double wound = 0;  // radians about +y, by the right-hand rule
+    const std::vector<Vec3>& at = s.skeleton.position;
+    std::size_t first = at.size() / 8;
+    for (std::size_t i = first + 1; i < at.size(); ++i)
+      wound += std::atan2(at[i - 1].z * at[i].x - at[i - 1].x * at[i].z,
+                          at[i - 1].x * at[i].x + at[i - 1].z * at[i].z);
+    double rise = static_cast<double>(at.back().y - at[first].y);
+    EXPECT_NEAR(wound, rise / std::tan(pitch) / kRadius, 0.04 * std::abs(wound));
+    EXPECT_GT(std::abs(wound), 2 * kPi);
+  }
+}
+
 TEST(Crawl, KeepsToWhatScannersGive) {
   for (std::uint64_t i = 0; i < 3; ++i) {
     TriangleSurface host = built(scanned(Seed{i}));

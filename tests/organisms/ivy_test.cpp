@@ -9,6 +9,7 @@
 
 #include "motion/unfold.h"
 #include "organisms/column/column.h"
+#include "organisms/ivy/ivy_forms.h"
 #include "organisms/ivy/ivy_rest.h"
 #include "organisms/wall/wall.h"
 #include "world/world.h"
@@ -79,6 +80,38 @@ TEST(Ivy, IsAModelWithLeavesOnItsStrands) {
   // The foot is bare.
   for (std::size_t i = 0; i < o.size(); ++i)
     EXPECT_GT(ivy.model.skeleton.distance[o.node[i]], 0.55 * IvyLeaves{}.bare);
+}
+
+TEST(Ivy, WearsTheLeafOfAnotherClimber) {
+  IvyParams params = small_ivy();
+  LeafLook& look = params.leaves.picture.emplace();
+  look.shape = LeafShape::maple;
+  TriangleSurface host = *TriangleSurface::build(wall());
+  for (bool sprig : {false, true}) {
+    look.sprig = sprig;
+    Ivy ivy = ivy_on_wall(params);
+    EXPECT_EQ(ivy.model.find_fault(), "");
+    const Organs& o = ivy.model.organs;
+    ASSERT_GT(o.size(), 100u);
+    std::set<std::string> drawn, worn;
+    for (const Drawing& drawing : leaf_drawings(look))
+      drawn.insert(drawing.names.begin(), drawing.names.end());
+    for (const Prototype& leaf : ivy.model.prototypes)
+      worn.insert(leaf.parts.front().pictures.begin(), leaf.parts.front().pictures.end());
+    EXPECT_EQ(worn, drawn);
+    std::size_t sunk = 0, points = 0;
+    for (std::size_t i = 0; i < o.size(); ++i) {
+      Surface leaf = felt(params.leaves, ivy.model.prototypes[o.prototype[i]].parts.front().surface);
+      EXPECT_LT(o.color[i], 3);
+      for (std::size_t k = 0; k < leaf.position.size(); ++k) {
+        if (leaf.uv[k].x > 1) continue;
+        ++points;
+        sunk += host.inside(DVec3(o.position[i] + o.turn[i] * (leaf.position[k] * o.scale[i])));
+      }
+    }
+    EXPECT_GT(points, 1000u);
+    EXPECT_EQ(sunk, 0u) << "blades lie on the wall, not in it";
+  }
 }
 
 TEST(Ivy, StandsWhereItIsPut) {

@@ -20,6 +20,7 @@ enum class Lure {
   along,  ///< a direction, the same everywhere
   light,  ///< the direction of the light, where the surface is in its own shade
   point,  ///< a place
+  round,  ///< round what they grow on and upward, as twining plants do
 };
 
 /// Curves that strands follow, drawn on a host or near it. Each is laid on the nearest surface.
@@ -63,6 +64,7 @@ struct Crawl {
   Animated<double> bias{0.08};  ///< 0..1, share of the turn toward the target, each step
   Lure lure = Lure::along;
   Animated<Vec3> toward{Vec3(0, 1, 0)};  ///< a direction of any length, or the place
+  double pitch = radians(50.0);  ///< -pi/2..pi/2, above the level, with the lure round; below 0: left-handed
   std::vector<CrawlGuide> guides;  ///< a strand that comes within the width of one follows it to its end
 
   double branch_every = 0.25;       ///< metres along a strand, > 0

@@ -19,6 +19,10 @@ DVec3 lured(const Crawl& crawl, const Tread& tread, double when, double& share) 
   DVec3 toward(crawl.toward.at(when));
   share = crawl.bias.at(when);
   if (crawl.lure == Lure::point) return toward - tread.place;
+  if (crawl.lure == Lure::round) {
+    DVec3 up(0, 1, 0), aside = glm::cross(up, tread.normal) * (crawl.pitch < 0 ? -1.0 : 1.0);
+    return aside * std::cos(crawl.pitch) + up * std::abs(std::sin(crawl.pitch));
+  }
   if (double length = glm::length(toward); crawl.lure == Lure::light && length > 0)
     share *= 1 - std::max(glm::dot(tread.normal, toward) / length, 0.0);
   return toward;
@@ -82,9 +86,11 @@ void lay(Tip& tip, const Crawl& crawl, double time) {
   tip.laid.push_back(node);
 }
 
-/// Whether an edge ends the surface ahead, rather than being one of a rough surface that goes on.
+/// Whether an edge ends the surface ahead, rather than being one of a rough surface that goes on. What twines
+/// goes round edges of its pole: only above it that ends.
 bool falls_away(const TriangleSurface& host, const Tip& tip, const Crawl& crawl) {
-  return !host.closest(tip.tread.place + tip.tread.heading * (2 * crawl.speed), 0.5 * crawl.speed);
+  DVec3 ahead = crawl.lure == Lure::round ? DVec3(0, 1, 0) : tip.tread.heading;
+  return !host.closest(tip.tread.place + ahead * (2 * crawl.speed), 0.5 * crawl.speed);
 }
 
 /// Walks a step over the surface, in strides.

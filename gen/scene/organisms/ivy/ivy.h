@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,7 +41,8 @@ struct IvyLeaves {
   Color young{0.42f, 0.54f, 0.20f};  ///< of leaves near the tips
   Color bud{0.58f, 0.62f, 0.34f};    ///< initial colour of leaves while they unfold
   Color veins{0.66f, 0.72f, 0.50f};
-  double unfold = 0.18;  ///< share of the growth in which a leaf unfolds
+  double unfold = 0.18;             ///< share of the growth in which a leaf unfolds
+  std::optional<LeafLook> picture;  ///< another climber's leaf, in place of the shapes of ivy and its colours
 };
 
 /// Bodies that creep over a host and leave nothing behind.

@@ -3,46 +3,19 @@
 #include <cmath>
 
 #include "core/parallel.h"
-#include "foliage/ivy_leaf.h"
-#include "foliage/mosaic.h"
-#include "organisms/ivy/ivy.h"
+#include "organisms/ivy/ivy_forms.h"
 #include "organisms/ivy/ivy_rest.h"
 
 namespace frond {
 
 namespace {
 
-constexpr std::array<double, 3> kStalks{0.75, 0.45, 1.15};  // shares of the blade's length
-constexpr std::array<double, 2> kRises{radians(58.0), radians(32.0)};
-constexpr double kLeastDroop = 0.12, kDroopStep = 0.035;  // by petiole; shares of the blade's length
-constexpr std::uint32_t kPetioles = 6;                    // kinds of petiole a shape of leaf has
-constexpr std::uint32_t kTallest = 4;                     // the one that holds its blade farthest off
-constexpr std::uint32_t kHeadings = 8;                    // directions of the stem that sprigs are made for
-constexpr std::uint32_t kSprigVariants = 3;               // of each
+constexpr std::uint32_t kHeadings = 8;       // directions of the stem that sprigs are made for
+constexpr std::uint32_t kSprigVariants = 3;  // of each
 constexpr int kSprigLeaves = 6;
 
 // Where tips point, beside 1 straight down: away from the stem, and at random to either side.
 constexpr float kTipAside = 0.65f, kTipScatter = 0.25f;
-
-IvyLeafShape leaf_shape(std::uint32_t form, int detail) {
-  IvyLeafShape shape;
-  shape.form = static_cast<IvyForm>(form / kPetioles);
-  std::uint32_t petiole = form % kPetioles;
-  shape.stalk = kStalks[petiole / 2], shape.rise = kRises[petiole % 2];
-  shape.detail = detail;
-  shape.droop = kLeastDroop + kDroopStep * petiole;
-  if (shape.form == IvyForm::heart) shape.wave *= 0.5;
-  return shape;
-}
-
-std::vector<LeafForm> leaf_forms() {
-  std::vector<LeafForm> forms;
-  for (std::uint32_t i = 0; i < kIvyForms * kPetioles; ++i) {
-    LeafDisc disc = ivy_disc(leaf_shape(i, 0));
-    forms.push_back({{{disc.middle, Vec3(0, 0, 1), disc.radius}}});
-  }
-  return forms;
-}
 
 /// What all sites have in common.
 struct Plan {
@@ -146,7 +119,8 @@ std::vector<Bud> buds_along(const Plan& plan, double step) {
       buds.push_back(bud_at(plan, i, count, own));
       Bud& bud = buds.back();
       bud.id = static_cast<std::uint32_t>(own.bits());
-      bud.site.first = static_cast<std::uint32_t>(shape_at(plan, bud, own)) * kPetioles;
+      if (!plan.leaves.picture)
+        bud.site.first = static_cast<std::uint32_t>(shape_at(plan, bud, own)) * kPetioles;
       bud.site.forms = kPetioles;
       bud.site.prefer = static_cast<std::uint32_t>(own.child(9).bits() % kPetioles);
     }
@@ -213,8 +187,8 @@ IvySprig sprig_of(const std::vector<LeafForm>& forms, const IvyLeaves& l, double
         Vec3(kScatter * random(1), -kToLight * static_cast<float>(l.turn) + kScatter * random(2), 1));
     site.tip = Vec3(0, 1, 0) + (i % 2 ? kTipAside : -kTipAside) * across + kTipScatter * random(3) * across;
     site.size = 1 + static_cast<float>(l.size_variation) * random(4);
-    site.first =
-        static_cast<std::uint32_t>(own.child(5).unit() < kFives ? IvyForm::five : IvyForm::three) * kPetioles;
+    IvyForm form = own.child(5).unit() < kFives ? IvyForm::five : IvyForm::three;
+    site.first = l.picture ? 0 : static_cast<std::uint32_t>(form) * kPetioles;
     site.forms = kPetioles;
     site.prefer = static_cast<std::uint32_t>(own.child(6).bits() % kPetioles);
     sites.push_back(site);
@@ -224,7 +198,7 @@ IvySprig sprig_of(const std::vector<LeafForm>& forms, const IvyLeaves& l, double
   IvySprig sprig;
   for (const LaidLeaf& leaf : lay_leaves(sites, forms, options)) {
     const MosaicSite& site = sites[leaf.site];
-    Surface blade = ivy_leaf_surface(leaf_shape(leaf.form, 0));
+    Surface blade = leaf_of(l, leaf.form, 0);
     for (Vec3& p : blade.position) p = site.foot + leaf.turn * (p * site.size);
     for (Vec3& n : blade.normal) n = leaf.turn * n;
     append(sprig.surface, blade);
@@ -247,16 +221,23 @@ std::vector<Color> leaf_colors(const IvyLeaves& l) {
 
 std::int32_t color_of(const IvyLeaves& l, const Bud& bud) {
   constexpr double kHalfFreshFrom = 0.3, kFreshFrom = 0.7, kEitherWay = 0.2;  // of the bud's youth
-  auto count = static_cast<std::uint64_t>(l.colors.size());
+  std::uint64_t count = l.picture ? l.picture->looks() : l.colors.size();
   Seed own = Seed{bud.id}.child("color");
   auto which = static_cast<std::int32_t>(own.child(0).bits() % count);
+  if (l.picture) return which;
   double fresh = bud.youth + own.child(1).range(-kEitherWay, kEitherWay);
   return which + static_cast<std::int32_t>(count) * (fresh > kFreshFrom ? 2 : fresh > kHalfFreshFrom ? 1 : 0);
 }
 
 void add_prototype(Model& model, const IvyLeaves& l, const char* name, Surface surface) {
   Prototype made{name, {}, leaf_colors(l), l.veins, l.bud};
-  made.parts.push_back({Tissue::ivy, std::move(surface)});
+  if (l.picture) {
+    made = leaf_prototype(*l.picture);
+    made.name = name;
+    made.parts.front().surface = std::move(surface);
+  } else {
+    made.parts.push_back({Tissue::ivy, std::move(surface)});
+  }
   model.prototypes.push_back(std::move(made));
 }
 
@@ -281,14 +262,14 @@ std::size_t add_single_leaves(Model& model, const Plan& plan, std::vector<Bud>& 
   int detail = laid.size() < kFewLeaves ? 2 : 1;
   std::vector<Feelers> feelers;
   for (std::uint32_t i = 0; i < forms.size(); ++i) {
-    Surface leaf = ivy_leaf_surface(leaf_shape(i, detail));
-    feelers.push_back(feelers_of(leaf, kFeelersApart));
+    Surface leaf = leaf_of(plan.leaves, i, detail);
+    feelers.push_back(feelers_of(felt(plan.leaves, leaf), kFeelersApart));
     add_prototype(model, plan.leaves, "leaf", std::move(leaf));
   }
   rest_all(plan, feelers, kSlide, buds, laid);
   for (const LaidLeaf& leaf : laid) {
     const Bud& bud = buds[leaf.site];
-    double stalk = leaf_shape(leaf.form, 0).stalk * bud.site.size;
+    double stalk = stalk_of(plan.leaves, leaf.form) * bud.site.size;
     add_organ(model, plan, bud, leaf, static_cast<float>(stalk / kSuppleStalk));
   }
   return laid.size();
@@ -312,7 +293,7 @@ std::size_t add_sprigs(Model& model, const Plan& plan, const std::vector<LeafFor
     for (std::uint32_t v = 0; v < kSprigVariants; ++v) {
       Seed own = plan.seed.child("sprig", h * kSprigVariants + v);
       IvySprig sprig = sprig_of(leaf_forms, plan.leaves, 2 * kPi * h / kHeadings, own);
-      feelers.push_back(feelers_of(sprig.surface, kFeelersApart));
+      feelers.push_back(feelers_of(felt(plan.leaves, sprig.surface), kFeelersApart));
       add_prototype(model, plan.leaves, "sprig", std::move(sprig.surface));
       forms.push_back(std::move(sprig.form));
     }
@@ -349,7 +330,7 @@ std::size_t add_ivy_leaves(Model& model, const Strands& strands, const IvyLeaves
   Plan plan{strands, leaves, under, length > 0 ? leaves.light / length : Vec3(0, 1, 0), seed};
   model.prototypes.clear();
   model.organs = {};
-  std::vector<LeafForm> forms = leaf_forms();
+  std::vector<LeafForm> forms = leaf_forms(leaves);
   bool all = leaves.detail == IvyDetail::leaves;
   if (all || (leaves.detail == IvyDetail::fitting && may_be_single(strands, leaves))) {
     std::vector<Bud> buds = buds_along(plan, leaves.spacing);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "appearance/describe.h"
+#include "appearance/picture_bounds.h"
 #include "geometry/mesh_file.h"
 #include "images/describe_mask.h"
 #include "organisms/describe_grammar.h"
@@ -18,7 +19,8 @@ namespace frond {
 inline constexpr Choice<Lure> kLures[] = {
     {"along", Lure::along, "a direction, everywhere the same"},
     {"light", Lure::light, "the light, where the surface lies in shade of its own"},
-    {"point", Lure::point, "a place"}};
+    {"point", Lure::point, "a place"},
+    {"round", Lure::round, "round what they grow on and upward, as twining plants do"}};
 
 inline constexpr Choice<IvyDetail> kIvyDetails[] = {
     {"fitting", IvyDetail::fitting, "single leaves, or sprigs where there would be more than 25000"},
@@ -93,6 +95,9 @@ void describe(Properties& v, Crawl& c) {
       "toward", c.toward, {.min = -1000, .max = 1000},
       "The direction that strands turn toward with the lure along; the place, in metres, with the lure "
       "point; times of keyframes are shares of the growth, 0 to 1");
+  v.angle("pitch", c.pitch, {.min = -85, .max = 85},
+          "How steeply strands wind up; above 0 in a right-handed helix, as beans do, below in a left-handed "
+          "one, as hops do. Needs \"lure\": \"round\"");
   v.list("guides", c.guides, Count{0, 100},
          "Curves that strands follow: those that come within the width of one keep within it to its end. "
          "Without place.at strands begin where curves do");
@@ -144,6 +149,10 @@ void describe(Properties& v, IvyLeaves& l) {
   v.color("bud", l.bud, "Colour of the buds that leaves unfold from");
   v.color("veins", l.veins, "Colour of the veins");
   v.number("unfold", l.unfold, {.min = 0.001, .max = 1}, "Share of the growth in which a leaf unfolds");
+  v.object(
+      "picture", l.picture,
+      "The leaf of another climber, in place of the shapes and the colours of ivy; size, with the stalk, "
+      "and its variation are those above");
   v.aspect(Aspect::look, "colors", "young", "bud", "veins");
   v.aspect(Aspect::motion, "unfold");
 }
@@ -216,7 +225,10 @@ class IvyGrower final : public Described<IvyParams, BedGrower> {
             .rebuilt = params.crawl.trace ? Rebuilt::never : Rebuilt::in_films,
             .hosts = &params.on};
   }
-  Review review() const override { return {faults()}; }
+  Review review() const override {
+    Errors errors = faults();
+    return {errors.empty() ? check_pictures({}, params.leaves.picture, "/leaves/picture/pixels") : errors};
+  }
   /// How far ivy comes shows only on its host: here it always finds room.
   Result<SizeEstimate> estimate_size(Seed) const override {
     const Crawl& crawl = params.crawl;
@@ -243,6 +255,7 @@ class IvyGrower final : public Described<IvyParams, BedGrower> {
   Appearance appearance() const override {
     Appearance appearance;
     appearance.look.branches = {.bark = params.bark};
+    if (params.leaves.picture) appearance.look.organs.push_back(*params.leaves.picture);
     appearance.motion = {params.growth, {}, {}, 1, false, params.flutter, params.leaves.unfold};
     appearance.variation = params.bark.variation;
     return appearance;
@@ -302,8 +315,8 @@ class IvyGrower final : public Described<IvyParams, BedGrower> {
                            crawl.mask->scales[i], fmt::join(kMaskScales, ", "))};
     auto none = [](const auto& key) { return glm::length(key.value) < 1e-3f; };
     auto biased = [](const auto& key) { return key.value > 0; };
-    if (crawl.lure == Lure::point || std::ranges::none_of(crawl.bias.keys(), biased) ||
-        std::ranges::none_of(crawl.toward.keys(), none))
+    if (crawl.lure == Lure::point || crawl.lure == Lure::round ||
+        std::ranges::none_of(crawl.bias.keys(), biased) || std::ranges::none_of(crawl.toward.keys(), none))
       return {};
     return {{"/crawl/toward", "found a vector of length 0; expected the direction that strands turn to"}};
   }
