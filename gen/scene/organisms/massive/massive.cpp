@@ -35,6 +35,7 @@ Reaction reaction_of(const MassiveParams& params) {
 
 Result<Model> grow_massive(const MassiveParams& params, const Surroundings& around, Seed seed) {
   constexpr float kValley = 0.05f, kRidge = 0.75f;  // of the second substance (reaction.h)
+  constexpr float kOldestYoung = 0.84f;  // Reef_Aged in povinc/frond_reef.inc has what is younger pale
   Accreted skin = accrete(law_of(params), accretion_world(around), seed.child("skin"));
   std::vector<float> tone(skin.surface.position.size(), 1);
   if (params.relief != Wrought::plain) {
@@ -48,7 +49,9 @@ Result<Model> grow_massive(const MassiveParams& params, const Surroundings& arou
     }
     raise(skin, height);
   }
-  for (std::size_t v = 0; v < tone.size(); ++v) skin.surface.uv.push_back({tone[v], skin.birth[v]});
+  // A dome grows all over, so when it has grown no part of it is pale as young rims are.
+  for (std::size_t v = 0; v < tone.size(); ++v)
+    skin.surface.uv.push_back({tone[v], kOldestYoung * skin.birth[v]});
   Matter matter = params.relief == Wrought::plain ? Matter::polyps : Matter::meander;
   Model model = model_of(std::move(skin.surface), std::move(skin.past), params.tissue, matter, seed);
   if (params.relief != Wrought::plain)
