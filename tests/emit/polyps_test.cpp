@@ -63,6 +63,21 @@ TEST(Polyps, OpenAndCloseByTheHour) {
   EXPECT_NE(closed, open);
 }
 
+TEST(Polyps, StandNowhereOnWhatIsDead) {
+  Solids solids = skin_with_polyps();
+  auto count = [&] {
+    std::size_t all = 0;
+    for (const auto& places : polyp_places(solids)) all += places.size();
+    return all;
+  };
+  std::size_t whole = count();
+  solids.shapes[0].material.dead = {{{0, 0, 0}, 0.3f}};
+  EXPECT_NEAR(static_cast<double>(count()), (1 - kPi * 0.3 * 0.3) * static_cast<double>(whole),
+              0.06 * static_cast<double>(whole));
+  solids.shapes[0].material.dead = {{{0, 0, 0}, 2}};
+  EXPECT_EQ(count(), 0u);
+}
+
 TEST(Polyps, StandRoundBranchesAndComeAsTheyGrow) {
   Specimen b;
   b.look.branches.skin = Skin{};

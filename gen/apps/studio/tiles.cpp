@@ -42,6 +42,7 @@ Material shared(const Material& own) {
   m.relief = stepped(own.relief, 0.25), m.moss = stepped(own.moss, 0.25), m.gloss = stepped(own.gloss, 0.25);
   m.bands.clear();
   m.polyps = {};
+  m.dead.clear();
   return m;
 }
 

@@ -10,8 +10,8 @@ std::size_t sum_of(const Lists&... lists) {
 }
 
 std::size_t bytes_of_solid(const Solid& solid) {
-  std::size_t bytes = sum_of(solid.surface, solid.material.bands, solid.material.picture, solid.turned,
-                             solid.past, solid.light);
+  std::size_t bytes = sum_of(solid.surface, solid.material.bands, solid.material.picture, solid.material.dead,
+                             solid.turned, solid.past, solid.light);
   for (const std::vector<Vec3>& step : solid.past) bytes += sum_of(step);
   if (solid.native) bytes += sum_of(solid.native->blobs.blobs);
   return bytes;

@@ -36,6 +36,21 @@ struct Polyps {
   double glow = 0;             ///< fluorescence of polyps and skin in blue light
 };
 
+/// The septa of stony corals: thin walls that run down from the ridges into valleys and cups.
+struct Septa {
+  double apart = 0;   ///< metres, from one to the next along a ridge; 0: none are drawn
+  double valley = 0;  ///< metres, from ridge to ridge
+  double depth = 0;   ///< metres, of the valleys
+
+  bool operator==(const Septa&) const = default;
+};
+
+/// A part of a living skin that has died: bare skeleton that algae have overgrown.
+struct DeadPatch {
+  Vec3 at{0};        ///< metres, in the space of its solid
+  float radius = 0;  ///< metres, about which its ragged border runs
+};
+
 /// The surface of a solid.
 struct Material {
   Matter matter = Matter::plain;
@@ -47,6 +62,8 @@ struct Material {
   double gloss = 0.1;                 ///< 0 matt .. 1 polished
   std::vector<Band> bands{};
   Polyps polyps{};                 ///< of living tissue
+  Septa septa{};                   ///< of living tissue whose `uv` says what is ridge and what is valley
+  std::vector<DeadPatch> dead{};   ///< of living tissue
   std::string picture{};           ///< a PNG file that it uses, one of its look
   std::optional<Mask> moss_map{};  ///< scales moss in the world; its picture is one of its look
 };

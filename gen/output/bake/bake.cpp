@@ -192,7 +192,9 @@ Swatch body_swatch(const Material& material, int pixels) {
   constexpr float kAboveGround = 1.07f;  // metres: where walls are drawn, as what is below is damp
   Swatch swatch;
   swatch.includes = {material_include(material)};
-  swatch.texture = material_text(material);
+  Material alive = material;  // what has died of it lies in places of one body
+  alive.dead.clear();
+  swatch.texture = material_text(alive);
   swatch.pixels = {pixels, pixels};
   swatch.wide = row_of(material.matter).widths * material.scale;
   auto half = static_cast<float>(swatch.wide / 2);

@@ -266,6 +266,8 @@ Result<FrameCount> write_organism(const FrameParts& parts, const Scene& scene, s
     if (body.now || b.life.develop) bodies += solid_text(parts.space, body, i, b.wet);
   for (const DrawnPolyps& polyps : drawn_polyps(solids, parts.polyps[i], b.motion.growth, time, eye))
     bodies += polyps_text(parts.space, polyps, time);
+  for (const DrawnSepta& septa : drawn_septa(solids, parts.septa[i], b.motion.growth, time, eye))
+    bodies += septa_text(parts.space, septa);
   out(bodies.text);
   Fineness fine{parts.pixel[i], decimals_for(parts.space, parts.pixel[i])};
   Result<FrameCount> count = write_branches(parts.space, drawn, parts.first_skin[i], eye, fine, time, out);

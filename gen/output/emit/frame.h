@@ -24,6 +24,7 @@ struct FrameParts {
   std::string ground;               ///< floor, stones, grass and solids
   DrawnSolids solids;               ///< of all organisms
   std::vector<PolypPlaces> polyps;  ///< on the solids of each organism
+  std::vector<SeptumPlaces> septa;  ///< the same
   std::vector<std::string> copies;  ///< those that stand still, in each stretch of the film
   /// Metres that a pixel is at each organism where the camera comes nearest to it; 0: all its detail is
   /// written.

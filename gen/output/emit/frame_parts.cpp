@@ -82,8 +82,11 @@ FrameParts prepare_frames(const Scene& scene, CopyPlan plan, bool for_film) {
     parts.materials += kTwigInclude;
   if (for_film) parts.solids = drawn_solids(scene);
   parts.polyps.resize(scene.specimens.size());
-  parallel_for(parts.polyps.size(),
-               [&](std::size_t i) { parts.polyps[i] = polyp_places(parts.solids.of(scene, i)); });
+  parts.septa.resize(scene.specimens.size());
+  parallel_for(parts.polyps.size(), [&](std::size_t i) {
+    const Solids& solids = parts.solids.of(scene, i);
+    parts.polyps[i] = polyp_places(solids), parts.septa[i] = septum_places(solids);
+  });
   parts.ground = ground_text(parts.space, scene) + solids_text(parts.space, scene, parts.solids).text;
   parts.copies.resize(plan.drawn.size());
   parallel_for(parts.copies.size(), [&](std::size_t k) {

@@ -138,6 +138,16 @@ void append_grown(ObjectText& all, const PovSpace& space, const DrawnBody& body,
   }
 }
 
+/// A layer over living tissue: what of it has died.
+std::string dead_text(const Material& material) {
+  std::string text = fmt::format("texture{{Reef_Dead(array[{}]{{", material.dead.size());
+  for (const DeadPatch& patch : material.dead) {
+    if (text.back() != '{') text += ',';
+    append_vector(text, 4, patch.at.x, patch.at.y, -patch.at.z, patch.radius);
+  }
+  return text + "}," + number_text(material.scale, 4) + ")}";
+}
+
 }  // namespace
 
 void append_front(std::string& text, double front) {
@@ -149,6 +159,7 @@ std::string material_text(const Material& material, bool wet) {
   std::string text = " texture{" + macro_text(row.macro, material);
   if (material.polyps.glow > 0) text += " Reef_Glow(" + number_text(material.polyps.glow, 4) + ')';
   text += '}';
+  if (!material.dead.empty()) text += dead_text(material);
   for (const Band& band : material.bands) {
     append_call(text += "texture{", "Vessel_Band", band.color, band.at, band.width, material.gloss,
                 static_cast<int>(band.motif), band.repeats);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "draw/polyps.h"
+#include "draw/septa.h"
 #include "draw/solids.h"
 #include "emit/pov.h"
 #include "scene/scene.h"
@@ -30,5 +31,7 @@ ObjectText solid_text(const PovSpace& space, const DrawnBody& body, std::size_t 
 
 /// One union of polyps, as open as they are at a time.
 ObjectText polyps_text(const PovSpace& space, const DrawnPolyps& drawn, double time);
+/// One union of septa, with the texture of their body.
+ObjectText septa_text(const PovSpace& space, const DrawnSepta& drawn);
 
 }  // namespace frond

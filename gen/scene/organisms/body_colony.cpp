@@ -16,6 +16,11 @@ void describe(Properties& v, TissueLook& t) {
   v.number("gloss", t.gloss, kShare, "How wet it looks: 0 matt");
   v.number("variation", t.variation, {.min = 0, .max = 0.5},
            "How much single ones differ in brightness, as a share");
+  v.number(
+      "dead", t.dead, {.min = 0, .max = 0.8},
+      "Share of the skin that has died and is overgrown by algae, behind a pale border; each colony has a "
+      "share of its own about this one");
+  v.integer("scars", t.scars, {.min = 1, .max = 12}, "Number of patches that are dead. Needs dead above 0");
   describe(v, t.polyps);
 }
 
@@ -32,6 +37,28 @@ Material material_of(const TissueLook& look, Matter matter, Seed seed) {
           .relief = look.relief,
           .gloss = look.gloss,
           .polyps = look.polyps};
+}
+
+std::vector<DeadPatch> dead_patches(const TissueLook& look, const Surface& skin, Seed seed) {
+  constexpr int kTries = 12;            // after which a patch lies also where nobody sees it
+  constexpr float kFacesDown = -0.15f;  // height of the normals of such places
+  std::vector<DeadPatch> patches;
+  if (look.dead <= 0 || skin.position.empty()) return patches;
+  double area = 0;
+  for (const auto& t : skin.triangle) area += 0.5 * static_cast<double>(glm::length(area_of(skin, t)));
+  // Some colonies are whole, others mostly dead.
+  double dead = area * std::min(0.9, look.dead * seed.child("share").range(0.2, 1.8));
+  for (int i = 0; i < look.scars; ++i) {
+    Seed own = seed.child("patch", static_cast<std::uint64_t>(i));
+    std::size_t v = 0;
+    for (std::uint64_t k = 0; k < kTries; ++k) {
+      v = own.child(k).bits() % skin.position.size();
+      if (skin.normal[v].y > kFacesDown) break;
+    }
+    double share = own.child("size").range(0.4, 1.6) / look.scars;
+    patches.push_back({skin.position[v], static_cast<float>(std::sqrt(share * dead / kPi))});
+  }
+  return patches;
 }
 
 MarginWorld margin_world(const Surroundings& around) {
@@ -100,16 +127,18 @@ AccretionWorld accretion_world(const Surroundings& around) {
           [&](Vec3 at) { return around.light(at); }};
 }
 
-Model model_of(Surface skin, std::vector<std::vector<Vec3>> past, const Material& material) {
-  Solid solid{std::move(skin), material};
+Model model_of(Surface skin, std::vector<std::vector<Vec3>> past, const TissueLook& look, Matter matter,
+               Seed seed) {
+  Solid solid{std::move(skin), material_of(look, matter, seed)};
   solid.past = std::move(past);
+  solid.material.dead = dead_patches(look, solid.surface, seed.child("scars"));
   Model model;
   model.solids.place(model.solids.add_shape(std::move(solid)));
   return model;
 }
 
-Model model_of(SheetBody body, const Material& material) {
-  return model_of(std::move(body.surface), std::move(body.past), material);
+Model model_of(SheetBody body, const TissueLook& look, Matter matter, Seed seed) {
+  return model_of(std::move(body.surface), std::move(body.past), look, matter, seed);
 }
 
 }  // namespace frond

@@ -42,13 +42,18 @@ struct TissueLook {
   double relief = 0.8;                ///< depth of the cups
   double gloss = 0.4;                 ///< 0 matt .. 1 wet
   double variation = 0.12;            ///< variation of brightness between individuals
+  double dead = 0;                    ///< share of the skin that has died, on the mean of all colonies
+  int scars = 3;                      ///< patches that it lies in, > 0
   Polyps polyps;
 };
 
 void describe(Properties& v, TissueLook& t);
 
-/// The material of one colony.
+/// The material of one colony, but for what has died of it.
 Material material_of(const TissueLook& look, Matter matter, Seed seed);
+
+/// The parts of a grown skin that have died.
+std::vector<DeadPatch> dead_patches(const TissueLook& look, const Surface& skin, Seed seed);
 
 /// The room left for sheets by the colony's surroundings, which must outlive it.
 MarginWorld margin_world(const Surroundings& around);
@@ -76,9 +81,10 @@ SizeEstimate estimate_surface(const Accretion& law, double area);
 AccretionWorld accretion_world(const Surroundings& around);
 
 /// A body of one living skin, with its past, see Solid::past.
-Model model_of(Surface skin, std::vector<std::vector<Vec3>> past, const Material& material);
+Model model_of(Surface skin, std::vector<std::vector<Vec3>> past, const TissueLook& look, Matter matter,
+               Seed seed);
 
 /// The body of a sheet as a model.
-Model model_of(SheetBody body, const Material& material);
+Model model_of(SheetBody body, const TissueLook& look, Matter matter, Seed seed);
 
 }  // namespace frond

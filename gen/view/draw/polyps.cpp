@@ -9,14 +9,19 @@ namespace frond {
 
 namespace {
 
-constexpr double kApart = 0.85;              // of their width: how near polyps stand to each other
-constexpr float kSeen = 1.2f, kGone = 0.6f;  // pixels that one is wide
+constexpr double kApart = 0.85;        // of their width: how near polyps stand to each other
+constexpr float kSeen = 2, kGone = 1;  // pixels that one is wide
 /// The seed of the lots that turn and size polyps: polyps of one number are alike on all corals.
 constexpr Seed kPolypLots{77};
 constexpr double kYoung = 0.06;  // of the growth, after which a place bears its polyp
 
-/// Places of the grown skin that are at least so far apart.
-std::vector<SurfacePoint> spots_of(const Surface& skin, float apart) {
+/// Whether what was at a place of the grown skin is dead.
+bool is_dead(const std::vector<DeadPatch>& dead, Vec3 at) {
+  return std::ranges::any_of(dead, [&](const DeadPatch& d) { return glm::distance(d.at, at) < d.radius; });
+}
+
+/// Places of the grown skin that are alive and at least so far apart.
+std::vector<SurfacePoint> spots_of(const Surface& skin, const std::vector<DeadPatch>& dead, float apart) {
   std::vector<SurfacePoint> spots;
   Darts darts(apart);
   for (const auto& t : skin.triangle) {
@@ -27,7 +32,8 @@ std::vector<SurfacePoint> spots_of(const Surface& skin, float apart) {
       for (int v = 0; u + v < n; ++v) {
         Vec2 at = (Vec2(u, v) + 1.0f / 3.0f) / static_cast<float>(n);
         SurfacePoint spot{t, Vec3(1 - at.x - at.y, at.x, at.y)};
-        if (darts.try_add(spot.of(skin.position))) spots.push_back(spot);
+        Vec3 place = spot.of(skin.position);
+        if (!is_dead(dead, place) && darts.try_add(place)) spots.push_back(spot);
       }
   }
   return spots;
@@ -55,7 +61,7 @@ PolypPlaces polyp_places(const Solids& solids) {
   for (std::size_t i = 0; i < solids.size(); ++i) {
     const Solid& solid = solids.shapes[solids.shape[i]];
     if (double width = solid.material.polyps.width; width > 0)
-      places[i] = spots_of(solid.surface, static_cast<float>(kApart * width));
+      places[i] = spots_of(solid.surface, solid.material.dead, static_cast<float>(kApart * width));
   }
   return places;
 }

@@ -25,8 +25,7 @@ Result<Model> grow_columnar(const ColumnarParams& params, const Surroundings& ar
     skin.surface.uv.push_back(
         {1 - skin.shade[v],
          skin.birth[v] * (kAtRest + kYounger * (1 - smooth_step(kLit, kShaded, skin.shade[v])))});
-  return model_of(std::move(skin.surface), std::move(skin.past),
-                  material_of(params.tissue, Matter::polyps, seed));
+  return model_of(std::move(skin.surface), std::move(skin.past), params.tissue, Matter::polyps, seed);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ Result<Model> grow_encrusting(const EncrustingParams& params, const Surroundings
     return kFilm + kBelow * thick * smooth_step(0.0f, kGrownBelow, age);
   };
   skin.lines = kLineHeight * params.thickness;
-  return model_of(body_of(sheet, skin), material_of(params.tissue, Matter::polyps, seed));
+  return model_of(body_of(sheet, skin), params.tissue, Matter::polyps, seed);
 }
 
 void describe(Properties& v, EncrustingParams& p) {

@@ -152,7 +152,7 @@ Result<Model> grow_foliose(const FolioseParams& params, const Surroundings& arou
   if (params.form == FolioseForm::plate)
     append(body, stalk_body(kStalkFoot * params.across, kStalkTop * params.across,
                             kStalkHeight * params.height, seed.child("stalk")));
-  return model_of(std::move(body), material_of(params.tissue, Matter::polyps, seed));
+  return model_of(std::move(body), params.tissue, Matter::polyps, seed);
 }
 
 inline constexpr Choice<FolioseForm> kFolioseForms[] = {

@@ -35,6 +35,7 @@ Reaction reaction_of(const MassiveParams& params) {
 
 Result<Model> grow_massive(const MassiveParams& params, const Surroundings& around, Seed seed) {
   constexpr float kValley = 0.05f, kRidge = 0.75f;  // of the second substance (reaction.h)
+  constexpr float kOldestYoung = 0.84f;  // Reef_Aged in povinc/frond_reef.inc has what is younger pale
   Accreted skin = accrete(law_of(params), accretion_world(around), seed.child("skin"));
   std::vector<float> tone(skin.surface.position.size(), 1);
   if (params.relief != Wrought::plain) {
@@ -48,9 +49,14 @@ Result<Model> grow_massive(const MassiveParams& params, const Surroundings& arou
     }
     raise(skin, height);
   }
-  for (std::size_t v = 0; v < tone.size(); ++v) skin.surface.uv.push_back({tone[v], skin.birth[v]});
+  // A dome grows all over, so when it has grown no part of it is pale as young rims are.
+  for (std::size_t v = 0; v < tone.size(); ++v)
+    skin.surface.uv.push_back({tone[v], kOldestYoung * skin.birth[v]});
   Matter matter = params.relief == Wrought::plain ? Matter::polyps : Matter::meander;
-  return model_of(std::move(skin.surface), std::move(skin.past), material_of(params.tissue, matter, seed));
+  Model model = model_of(std::move(skin.surface), std::move(skin.past), params.tissue, matter, seed);
+  if (params.relief != Wrought::plain)
+    model.solids.shapes[0].material.septa = {params.septa, params.valley, params.depth};
+  return model;
 }
 
 inline constexpr Choice<Wrought> kWrought[] = {
@@ -66,6 +72,10 @@ void describe(Properties& v, MassiveParams& m) {
   v.choice("relief", m.relief, kWrought, "What its surface is wrought into");
   v.number("valley", m.valley, metres(0.002, 1), "Distance from one ridge, or one cup, to the next");
   v.number("depth", m.depth, metres(0, 0.2), "Depth of the valleys, or of the cups");
+  v.number(
+      "septa", m.septa, {.min = 0, .max = 0.05, .unit = "m"},
+      "Distance from one septum to the next, thin walls that run down from the ridges; 0 draws none. They "
+      "come in view only where they are as large as a pixel");
   v.number("edge", m.edge, metres(0.001, 0.2),
            "Length of the sides of its triangles; a fifth of a valley draws it well");
   v.object("tissue", m.tissue, "The living skin");

@@ -24,6 +24,7 @@ struct MassiveParams {
   Wrought relief = Wrought::meander;
   double valley = 0.016;  ///< metres from ridge to ridge
   double depth = 0.006;   ///< metres, of valleys
+  double septa = 0;       ///< metres, from septum to septum; 0: none are drawn
   double edge = 0.0032;   ///< metres, of triangles
   TissueLook tissue;
   Growth growth;

@@ -100,7 +100,7 @@ Result<Model> grow_mushroom(const MushroomParams& params, const Surroundings&, S
     std::vector<Vec3>& then = body.past.emplace_back();
     for (Vec3 p : surface.position) then.push_back(p * size);
   }
-  return model_of(std::move(body), material_of(params.tissue, Matter::meander, seed));
+  return model_of(std::move(body), params.tissue, Matter::meander, seed);
 }
 
 void describe(Properties& v, MushroomParams& p) {

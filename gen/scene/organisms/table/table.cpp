@@ -156,7 +156,7 @@ Result<Model> grow_table(const TableParams& params, const Surroundings& around, 
   Sheet sheet = table_sheet(params, around, seed);
   SheetBody body = table_top(sheet, params);
   append(body, lawn_of(sheet, body, params, seed.child("lawn")));
-  return model_of(std::move(body), material_of(params.tissue, Matter::polyps, seed));
+  return model_of(std::move(body), params.tissue, Matter::polyps, seed);
 }
 
 void describe(Properties& v, TableParams& p) {

@@ -81,7 +81,7 @@ Result<Model> grow_tube(const TubeParams& params, const Surroundings& around, Se
   skin.lines = params.form == TubeForm::pipes ? 0 : 0.08 * params.wall;
   skin.line = 1.5 * params.lump_size;
   Matter matter = params.form == TubeForm::sponge ? Matter::sponge : Matter::polyps;
-  return model_of(body_of(sheet, skin), material_of(params.tissue, matter, seed));
+  return model_of(body_of(sheet, skin), params.tissue, matter, seed);
 }
 
 inline constexpr Choice<TubeForm> kTubeForms[] = {
