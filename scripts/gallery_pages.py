@@ -20,7 +20,8 @@ from typing import NamedTuple
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 GALLERY = ROOT / "docs/gallery"
 # Sections of the index, by the beginning of a preset's name; what none of them begins is of the first.
-SECTIONS = [("", "Corals, trees and other films"), ("species/corals/", "Corals"), ("reef/", "In the reef"), ("species/shells/", "Shells"),
+SECTIONS = [("", "Corals, trees and other films"), ("species/corals/", "Corals"), ("reef/", "In the reef"), ("species/fishes/", "Fishes"),
+            ("species/reef_animals/", "Animals of the reef"), ("species/shells/", "Shells"),
             ("trees/", "Trees"), ("forest/", "Forests"), ("garden/", "Gardens"), ("ivy/", "Ivy"), ("photographs/", "After photographs"),
             ("lsystems/", "Grammars of books and other programs"), ("asking/", "Grammars that ask the world")]
 

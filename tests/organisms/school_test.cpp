@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <set>
 
 #include "core/parallel.h"
+#include "organisms/school/swimmer_shape.h"
 
 namespace frond {
 namespace {
@@ -160,13 +162,124 @@ TEST(School, FrameAloneIsThatOfAFilm) {
 
 TEST(School, FishAreSoundMeshes) {
   SchoolParams params;
-  for (const Prototype& shape : fish_prototypes(params.fish)) {
+  for (const Prototype& shape : swimmer_prototypes(params.fish)) {
     const Surface& mesh = shape.parts[0].surface;
     EXPECT_EQ(mesh.find_fault(), "");
     float front = -1, back = 1;
     for (Vec3 p : mesh.position) front = std::max(front, p.y), back = std::min(back, p.y);
     EXPECT_NEAR(front - back, 1, 0.05);
   }
+}
+
+/// Half the difference between the highest and the lowest that what lies `aside` from the middle gets in a
+/// stroke, and the phase at which it is highest.
+struct Swing {
+  double reach, highest;
+};
+Swing swing(Surface (*animal)(double), double aside) {
+  constexpr int kPhases = 48;
+  double low = 1, high = -1, at = 0;
+  std::size_t vertex = 0;
+  Surface rest = animal(0);
+  for (std::size_t i = 0; i < rest.position.size(); ++i)
+    if (std::abs(rest.position[i].x - aside) < std::abs(rest.position[vertex].x - aside)) vertex = i;
+  for (int k = 0; k < kPhases; ++k) {
+    double up = static_cast<double>(animal(static_cast<double>(k) / kPhases).position[vertex].z);
+    low = std::min(low, up);
+    if (up > high) high = up, at = static_cast<double>(k) / kPhases;
+  }
+  return {(high - low) / 2, at};
+}
+
+TEST(School, EveryAnimalIsASoundMeshOneUnitLarge) {
+  for (SeaAnimal animal : {SeaAnimal::fish, SeaAnimal::turtle, SeaAnimal::manta, SeaAnimal::jellyfish}) {
+    FishParams params;
+    params.animal = animal;
+    std::vector<Prototype> shapes = swimmer_prototypes(params);
+    EXPECT_EQ(shapes.size(), static_cast<std::size_t>(kShapes));
+    for (const Prototype& shape : shapes) {
+      const Surface& mesh = shape.parts[0].surface;
+      EXPECT_EQ(mesh.find_fault(), "") << shape.name;
+      EXPECT_EQ(mesh.uv.size(), mesh.position.size()) << shape.name;
+      EXPECT_LT(mesh.triangle.size(), 12000u) << shape.name;
+    }
+  }
+  float wide = 0;
+  for (Vec3 p : manta_surface(0).position) wide = std::max(wide, 2 * p.x);
+  EXPECT_NEAR(wide, 1, 0.12) << "from wingtip to wingtip";
+}
+
+TEST(School, AWaveRunsOutOverTheWings) {
+  for (auto animal : {manta_surface, turtle_surface}) {
+    // Of a wing at 60 and at 95 hundredths of its reach.
+    float reach = 0;
+    for (Vec3 p : animal(0).position) reach = std::max(reach, p.x);
+    Swing middle = swing(animal, 0.6 * static_cast<double>(reach)),
+          tip = swing(animal, 0.95 * static_cast<double>(reach));
+    EXPECT_GT(tip.reach, 1.4 * middle.reach);
+    double later = tip.highest - middle.highest;
+    EXPECT_GT(later - std::floor(later), 0.01) << "the tip follows";
+    EXPECT_LT(later - std::floor(later), 0.35);
+  }
+}
+
+TEST(School, WingsKeepTheirSidesAlike) {
+  for (auto animal : {manta_surface, turtle_surface})
+    for (double phase : {0.1, 0.35, 0.8}) {
+      Vec3 sum(0);
+      Surface mesh = animal(phase);
+      for (const auto& triangle : mesh.triangle) {
+        Vec3 middle =
+            (mesh.position[triangle[0]] + mesh.position[triangle[1]] + mesh.position[triangle[2]]) / 3.0f;
+        sum += glm::length(area_of(mesh, triangle)) * middle;
+      }
+      EXPECT_NEAR(sum.x, 0, 0.004) << "it would roll over";
+    }
+}
+
+TEST(School, AJellyfishContractsFasterThanItOpens) {
+  constexpr int kPhases = 200;
+  auto held = [](int k) {  // water under its bell, by rings
+    double sum = 0, phase = static_cast<double>(k) / kPhases;
+    for (int i = 0; i < 40; ++i) {
+      Vec2 a = bell_profile(i / 40.0, phase), b = bell_profile((i + 1) / 40.0, phase);
+      sum += kPi * static_cast<double>(a.x * b.x) * static_cast<double>(a.y - b.y);
+    }
+    return sum;
+  };
+  int shrinks = 0;
+  double least = 1, most = 0;
+  for (int k = 0; k < kPhases; ++k) {
+    shrinks += held(k + 1) < held(k);
+    least = std::min(least, held(k)), most = std::max(most, held(k));
+  }
+  EXPECT_LT(shrinks, 0.4 * kPhases) << "of the pulse";
+  EXPECT_GT(shrinks, 0.15 * kPhases);
+  EXPECT_LT(least, 0.85 * most) << "water is driven out";
+}
+
+TEST(School, LooksVaryAndStayWhereTheFilmBeginsAgain) {
+  SchoolParams params;
+  EXPECT_EQ(looks_of(params.fish).size(), 1u);
+  params.fish.variation = 0.2;
+  Organs first = school_organs(params, trajectory(), 0);
+  std::set<std::int32_t> looks(first.color.begin(), first.color.end());
+  EXPECT_GT(looks.size(), 2u);
+  for (std::size_t i = 0; i < first.color.size(); ++i)
+    EXPECT_EQ(first.color[i], first.color[static_cast<std::size_t>(trajectory().next[i])]);
+}
+
+TEST(School, LargeAnimalsTurnSlowly) {
+  auto turned = [](double most) {
+    SwimTask swims = task();
+    swims.count = 1, swims.film = 30;
+    swims.params.turn = most, swims.params.current = Vec3(0);
+    Trajectory made = swim(swims, 2.2, 0, clearance_of(*reef(), Vec3(-3, -1, -3), Vec3(3, 3, 3), 0.1f));
+    double sum = 0;
+    for (int k = 0; k < 400; ++k) sum += std::abs(static_cast<double>(fish_at(made, 0, k / 20.0).turn));
+    return sum;
+  };
+  EXPECT_LT(turned(0.3), 0.8 * turned(5));
 }
 
 TEST(School, DistancesAreThoseOfTheBodies) {

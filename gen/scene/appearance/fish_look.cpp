@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "appearance/paint.h"
 #include "core/content.h"
+#include "images/tiling_noise.h"
 #include "preset/keys.h"
 
 namespace frond {
@@ -15,46 +17,72 @@ namespace {
 constexpr Choice<TailShape> kTailShapes[] = {{"forked", TailShape::forked, "two lobes"},
                                              {"lunate", TailShape::lunate, "a crescent"},
                                              {"round", TailShape::round, "a fan"},
-                                             {"square", TailShape::square, "cut straight"}};
+                                             {"square", TailShape::square, "cut straight"},
+                                             {"shark", TailShape::shark, "the upper lobe much the longer"}};
+constexpr Choice<DorsalShape> kDorsalShapes[] = {
+    {"spiny", DorsalShape::spiny, "spines in front, a soft lobe behind"},
+    {"sail", DorsalShape::sail, "a triangle, highest in front"},
+    {"ribbon", DorsalShape::ribbon, "of one height from end to end"}};
 constexpr Choice<FishPattern> kFishPatterns[] = {{"plain", FishPattern::plain, "dark above and pale below"},
                                                  {"bars", FishPattern::bars, "bars from back to belly"},
-                                                 {"lines", FishPattern::lines, "lines from head to tail"}};
+                                                 {"lines", FishPattern::lines, "lines from head to tail"},
+                                                 {"spots", FishPattern::spots, "round spots"},
+                                                 {"net", FishPattern::net, "a net of lines"}};
 
 // Places and lengths are in lengths of the fish, marks and shades by eye.
-constexpr double kSpan = 1.1;        // height of the picture
-constexpr double kTailEdge = 0.02;   // half of what the tail's colour begins on
-constexpr double kDorsalEnd = 0.75;  // where the fin on the back ends
+constexpr double kSpan = 1.1;       // height of the picture
+constexpr double kTailEdge = 0.02;  // half of what the tail's colour begins on
 constexpr double kAnalFrom = 0.52, kAnalLength = 0.23;
-
-Color mix(const Color& a, const Color& b, double t) {
-  return mixed(a, b, static_cast<float>(std::clamp(t, 0.0, 1.0)));
-}
-
-Color shaded(const Color& c, double by) {
-  auto f = static_cast<float>(by);
-  return {c.red * f, c.green * f, c.blue * f};
-}
 
 /// 1 inside a band round `middle`, 0 outside, with a soft edge.
 double band(double x, double middle, double half, double soft) {
   return 1 - smooth_step(half - soft, half + soft, std::abs(x - middle));
 }
 
+/// How much of a cell's mark is at a place, 0..1: of a spot, or of the net between them. A fish's length
+/// holds `marks` cells, and marks are from `mark_from` to `mark_to` of the depth.
+double cell_mark(const FishLook& look, double along, double up, double share) {
+  constexpr int kCells = 64;  // until they repeat, more than there are
+  constexpr double kSoft = 0.15;
+  Cells cells = tiling_cells(along * look.marks + 8, up * look.marks + 32, kCells, kCells, Seed{11});
+  double half = look.mark_width * look.marks / 2, soft = kSoft * half;
+  double from = smooth_step(look.mark_from - 0.06, look.mark_from + 0.06, share),
+         to = 1 - smooth_step(look.mark_to - 0.06, look.mark_to + 0.06, share);
+  double mark = look.pattern == FishPattern::spots ? cells.nearest : (cells.second - cells.nearest) / 2;
+  return from * to * (1 - smooth_step(half - soft, half + soft, mark));
+}
+
 /// Draws the marks over a colour.
-Color marked(const FishLook& look, Color color, double along, double share, double wobble) {
+Color marked(const FishLook& look, Color color, double along, double up, double share, double wobble) {
   if (look.pattern == FishPattern::plain) return color;
+  if (look.pattern == FishPattern::spots || look.pattern == FishPattern::net)
+    return mix(color, look.mark, cell_mark(look, along, up, share));
   constexpr double kSoftBar = 0.006, kSoftLine = 0.02;  // half of an edge; of lines by the depth
   constexpr double kLengthByDepth = 2.5;                // lines are measured across the depth
   constexpr double kWobble = 0.012;
   bool bars = look.pattern == FishPattern::bars;
-  double x = bars ? along : share, half = look.mark_width / 2, soft = bars ? kSoftBar : kSoftLine;
-  if (!bars) half *= kLengthByDepth;
+  double x = bars ? along : share, across = bars ? share : along, half = look.mark_width / 2,
+         soft = bars ? kSoftBar : kSoftLine;
+  x += look.mark_slant * (across - 0.5) + look.mark_bow * 4 * across * (1 - across);
+  if (!bars) half *= kLengthByDepth, soft = std::min(soft, half / 2);
   for (int i = 0; i < look.marks; ++i) {
     double t = look.marks > 1 ? static_cast<double>(i) / (look.marks - 1) : 0;
     double middle = look.mark_from + (look.mark_to - look.mark_from) * t + kWobble * wobble;
     if (bars) middle += 0.03 * std::sin(kPi * share) - 0.02;  // they bow forward at the flank
     if (look.edging > 0) color = mix(color, look.edge, band(x, middle, half * (1 + look.edging), soft));
     color = mix(color, look.mark, band(x, middle, half, soft));
+  }
+  return color;
+}
+
+/// Draws the patches over a colour.
+Color patched(const FishLook& look, Color color, double along, double share) {
+  for (const FishPatch& patch : look.patches) {
+    Vec2 half = 0.5f * patch.size;
+    double x = (along - static_cast<double>(patch.at.x) - patch.slant * (share - 0.5)) /
+               static_cast<double>(half.x),
+           y = (share - static_cast<double>(patch.at.y)) / static_cast<double>(half.y);
+    color = mix(color, patch.color, 1 - smooth_step(1 - patch.soft, 1 + patch.soft, std::hypot(x, y)));
   }
   return color;
 }
@@ -76,7 +104,7 @@ Color body_color(const FishForm& form, const FishLook& look, double along, doubl
   color = mix(color, look.back, smooth_step(0.55, 0.95, share));
   color = mix(color, look.tail, smooth_step(look.tail_from - kTailEdge, look.tail_from + kTailEdge, along));
   double wobble = std::sin(23 * along + 5) * std::sin(31 * up + 2);
-  color = marked(look, color, along, share, wobble);
+  color = patched(look, marked(look, color, along, up, share, wobble), along, share);
   // The edge of the gill cover, part of an ellipse, and the mouth; each of them is darker by a share.
   constexpr double kGillAt = 0.10, kGillRadius = 0.125, kGillLong = 0.8, kGillFlat = 0.62, kGillWidth = 0.008;
   constexpr double kGillFrom = 0.12, kScalesFrom = 0.2, kMouthTo = 0.05;
@@ -88,10 +116,15 @@ Color body_color(const FishForm& form, const FishLook& look, double along, doubl
   return color;
 }
 
-Color fin_color(const FishLook& look, double along, double up, double share) {
+Color fin_color(const FishForm& form, const FishLook& look, double along, double up) {
   Color color =
       mix(look.fins, look.tail, smooth_step(look.tail_from - kTailEdge, look.tail_from + kTailEdge, along));
-  if (look.marked_fins && look.pattern == FishPattern::bars) color = marked(look, color, along, share, 0);
+  if (look.marked_fins && look.pattern != FishPattern::lines)
+    color = marked(look, color, along, up, up > 0 ? 1 : 0, 0);
+  if (look.marked_fins) {
+    double half = fish_depth(form, std::min(along / kFishBody, 1.0));
+    color = patched(look, color, along, 0.5 + 0.5 * up / std::max(half, 0.1 * form.depth));
+  }
   // Rays: along the tail, from a place before it, up and back on the other fins.
   constexpr double kFanFrom = 0.25, kFanRays = 46;  // how far before it, and how many by rise over run
   constexpr double kRays = 95, kBack = 0.35;        // on a length of fish; run by rise
@@ -123,7 +156,7 @@ Raster fish_picture(const FishForm& form, const FishLook& look) {
       double half = fish_depth(form, std::min(along / kFishBody, 1.0));
       bool inside = along < kFishBody + 0.02 && std::abs(up) < half + 0.004;
       Color color = inside ? eye_over(form, look, body_color(form, look, along, up), along, up)
-                           : fin_color(look, along, up, up > 0 ? 1 : 0);
+                           : fin_color(form, look, along, up);
       std::uint8_t* pixel = &picture.data[picture.index(x, y)];
       pixel[0] = to_byte(color.red), pixel[1] = to_byte(color.green), pixel[2] = to_byte(color.blue);
     }
@@ -143,13 +176,30 @@ void describe(Properties& v, FishForm& f) {
   v.choice("tail", f.tail, kTailShapes, "Shape of the tail");
   v.number("tail_depth", f.tail_depth, {.min = 0.02, .max = 1},
            "Depth of the tail, as a share of the length");
+  v.choice("dorsal_shape", f.dorsal_shape, kDorsalShapes, "Shape of the fin on the back");
   v.number("dorsal", f.dorsal, {.min = 0, .max = 0.5},
            "Height of the fin on the back, as a share of the length");
   v.number("dorsal_from", f.dorsal_from, {.min = 0.1, .max = 0.7},
            "Where that fin begins, as a share of the length");
+  v.number("dorsal_to", f.dorsal_to, {.min = 0.3, .max = 0.8},
+           "Where it ends, as a share of the length; expected behind `dorsal_from`");
+  v.number("sweep", f.sweep, {.min = 0, .max = 1.5},
+           "How far the tips of the fins on back and belly trail behind, as a share of their height");
   v.number("anal", f.anal, {.min = 0, .max = 0.5}, "Height of the fin below, as a share of the length");
   v.number("pectoral", f.pectoral, {.min = 0, .max = 0.5},
            "Length of the fins at the sides, as a share of the length");
+  v.number("spread", f.spread, {.min = 0, .max = 5},
+           "How far these stand off the body: 0 along it, 1 as usual, 4 stiff to the sides");
+}
+
+void describe(Properties& v, FishPatch& p) {
+  v.color("color", p.color, "Colour");
+  v.vector("at", p.at, {.min = -4, .max = 5},
+           "Where its middle is: share of the length from the nose, and of the depth there from below");
+  v.vector("size", p.size, {.min = 0.005, .max = 4}, "Width and height, shares likewise");
+  v.number("slant", p.slant, {.min = -2, .max = 2},
+           "How far its top lies behind its foot, as a share of the length");
+  v.number("soft", p.soft, {.min = 0.01, .max = 1}, "Softness of its edge, as a share of its size");
 }
 
 void describe(Properties& v, FishLook& l) {
@@ -162,16 +212,23 @@ void describe(Properties& v, FishLook& l) {
   v.number("tail_from", l.tail_from, {.min = 0, .max = 1},
            "Where the colour of the tail begins, as a share of the length");
   v.choice("pattern", l.pattern, kFishPatterns, "What is drawn on the sides");
-  v.color("mark", l.mark, "Colour of bars or lines");
+  v.color("mark", l.mark, "Colour of bars, lines, spots or the net");
   v.color("edge", l.edge, "Colour of their edges");
   v.number("edging", l.edging, {.min = 0, .max = 2}, "Width of the edges, as a share of half a mark's width");
-  v.integer("marks", l.marks, {.min = 1, .max = 20}, "Number of bars or lines");
+  v.integer("marks", l.marks, {.min = 1, .max = 60},
+            "Number of bars or lines; of spots or meshes of a net, how many lie along the fish");
   v.number("mark_width", l.mark_width, {.min = 0.002, .max = 0.5}, "Width of each, as a share of the length");
-  v.number(
-      "mark_from", l.mark_from, {.min = 0, .max = 1},
-      "Where the first is: of bars as a share of the length, of lines as a share of the depth from below");
-  v.number("mark_to", l.mark_to, {.min = 0, .max = 1}, "Where the last is");
-  v.boolean("marked_fins", l.marked_fins, "Whether bars go on over the fins");
+  v.number("mark_from", l.mark_from, {.min = -1, .max = 2},
+           "Where the first is: of bars as a share of the length, of lines as a share of the depth from "
+           "below; where "
+           "spots or a net begin, likewise from below");
+  v.number("mark_to", l.mark_to, {.min = -1, .max = 2}, "Where the last is");
+  v.number("mark_slant", l.mark_slant, {.min = -2, .max = 2},
+           "By how much lines rise toward the head, or bars lean, over the whole fish");
+  v.number("mark_bow", l.mark_bow, {.min = -1, .max = 1},
+           "By how much lines or bars are bowed in their middle");
+  v.list("patches", l.patches, Count{0, 16}, "Saddles, bands through the eye and blotches, the last on top");
+  v.boolean("marked_fins", l.marked_fins, "Whether bars, spots, nets and patches go on over the fins");
   v.color("iris", l.iris, "Colour of the eye round its pupil");
   v.number("eye", l.eye, {.min = 0, .max = 0.2}, "Width of the eye, as a share of the length");
   v.number("scales", l.scales, {.min = 0, .max = 1}, "How much scales show");
@@ -195,11 +252,18 @@ double fish_depth(const FishForm& form, double at) {
 }
 
 double dorsal_height(const FishForm& form, double at) {
-  double t = (at - form.dorsal_from) / (kDorsalEnd - form.dorsal_from);
+  double t = (at - form.dorsal_from) / (form.dorsal_to - form.dorsal_from);
   if (t <= 0 || t >= 1) return 0;
-  // Spiny in front, a soft lobe behind.
-  return form.dorsal * (0.75 * std::pow(std::sin(kPi * std::pow(t, 0.6)), 0.5) +
-                        0.45 * std::exp(-std::pow((t - 0.82) / 0.12, 2)));
+  switch (form.dorsal_shape) {
+    case DorsalShape::spiny:
+      return form.dorsal * (0.75 * std::pow(std::sin(kPi * std::pow(t, 0.6)), 0.5) +
+                            0.45 * std::exp(-std::pow((t - 0.82) / 0.12, 2)));
+    case DorsalShape::sail:
+      return form.dorsal * smooth_step(0.0, 0.35, t) * std::pow(1 - t, 1.6) * 2.1;
+    case DorsalShape::ribbon:
+      return form.dorsal * std::sqrt(smooth_step(0.0, 0.25, t) * (1 - smooth_step(0.85, 1.0, t)));
+  }
+  return 0;
 }
 
 double anal_height(const FishForm& form, double at) {

@@ -5,8 +5,9 @@
 
 namespace frond {
 
-enum class TailShape { forked, lunate, round, square };
-enum class FishPattern { plain, bars, lines };
+enum class TailShape { forked, lunate, round, square, shark };
+enum class DorsalShape { spiny, sail, ribbon };
+enum class FishPattern { plain, bars, lines, spots, net };
 
 /// Outline of a fish from the side. Lengths as shares of the whole length, from the nose to the end of the
 /// tail.
@@ -17,11 +18,15 @@ struct FishForm {
   double snout = 0.3;      ///< 0 blunt .. 1 a long beak
   double peduncle = 0.26;  ///< depth of the body before the tail, as a share of the greatest depth
   TailShape tail = TailShape::forked;
-  double tail_depth = 0.36;   ///< from tip to tip
+  double tail_depth = 0.36;  ///< from tip to tip
+  DorsalShape dorsal_shape = DorsalShape::spiny;
   double dorsal = 0.09;       ///< height of the fin on the back
   double dorsal_from = 0.28;  ///< where it begins
+  double dorsal_to = 0.75;    ///< where it ends
+  double sweep = 0;           ///< how far the tips of the fins on back and belly trail behind
   double anal = 0.08;         ///< height of the fin below the tail
   double pectoral = 0.14;     ///< length of the fins at the sides
+  double spread = 1;          ///< how far these stand off the body, times the usual
 };
 
 void describe(Properties& v, FishForm& f);
@@ -35,6 +40,17 @@ double fish_depth(const FishForm& form, double at);
 /// How far a fin reaches beyond the body there; 0 where there is no fin.
 double dorsal_height(const FishForm& form, double at);
 double anal_height(const FishForm& form, double at);
+
+/// A spot of one colour on a fish: a saddle, a band through the eye, a blotch.
+struct FishPatch {
+  Color color{0.04f, 0.04f, 0.05f};
+  Vec2 at{0.5f, 0.5f};    ///< of its middle: share of the length; of the depth there, from below
+  Vec2 size{0.1f, 0.4f};  ///< its width and height, likewise
+  double slant = 0;       ///< how far its top lies behind its foot, as a share of the length
+  double soft = 0.1;      ///< of its edge, as a share of its size
+};
+
+void describe(Properties& v, FishPatch& p);
 
 /// Colours and pattern of a fish.
 struct FishLook {
@@ -52,6 +68,9 @@ struct FishLook {
   double mark_width = 0.07;         ///< of each, as a share of the length
   double mark_from = 0.2;           ///< position of the first; bars from the nose, lines from the belly
   double mark_to = 0.78;            ///< position of the last
+  double mark_slant = 0;            ///< by how much lines rise, or bars lean back, over the fish
+  double mark_bow = 0;              ///< by how much they are bowed
+  std::vector<FishPatch> patches;   ///< over all that, the last on top
   bool marked_fins = false;         ///< whether bars continue on the fins
   Color iris{0.85f, 0.80f, 0.55f};
   double eye = 0.055;   ///< its width, as a share of the length

@@ -51,6 +51,7 @@ void describe(Properties& v, Taxon& t) {
   v.object("leaf", t.leaf, "A leaf");
   v.object("flower", t.flower, "A flower, or a head or spike of them");
   v.object("fruit", t.fruit, "A fruit");
+  v.object("body", t.body, "An animal of a school; its organ is called as its `animal`");
   v.vector("flowering", t.flowering, kMonths, "First and last month of flowers where it is at home");
   v.vector("fruiting", t.fruiting, kMonths, "First and last month of ripe fruit");
   v.vector("in_leaf", t.in_leaf, kMonths, "First and last month of leaves");

@@ -27,6 +27,7 @@ struct Taxon {
   std::optional<Vec2> height;      ///< smallest and largest that is usual, metres
   std::optional<Vec2> spread;      ///< width, likewise
   std::optional<TaxonPart> leaf, flower, fruit;
+  std::optional<TaxonPart> body;                     ///< of an animal of a school
   std::optional<Vec2> flowering, fruiting, in_leaf;  ///< first and last month, 1 to 12; may pass the new year
   std::string source;                                ///< where the ranges come from
 };

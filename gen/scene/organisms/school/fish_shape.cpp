@@ -1,8 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
-#include "organisms/school/school.h"
+#include "organisms/school/swimmer_shape.h"
 
 namespace frond {
 
@@ -11,30 +10,6 @@ namespace {
 constexpr int kRings = 22, kRound = 14;  // of the body
 constexpr int kFinSteps = 12;            // along a fin
 constexpr double kTailOverlap = 0.03;    // of the tail's root in the body
-
-/// Adds a sheet of `columns` x 2 places: `edge(t, 0 root or 1 rim)`.
-void add_sheet(Surface& mesh, int columns, int rows, const std::function<Vec3(double, double)>& place,
-               const std::function<Vec2(double, double)>& uv) {
-  auto first = static_cast<std::uint32_t>(mesh.position.size());
-  for (int i = 0; i <= columns; ++i)
-    for (int j = 0; j <= rows; ++j) {
-      double t = static_cast<double>(i) / columns, r = static_cast<double>(j) / rows;
-      mesh.position.push_back(place(t, r));
-      mesh.uv.push_back(uv(t, r));
-    }
-  auto wide = static_cast<std::uint32_t>(rows + 1);
-  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(columns); ++i)
-    for (std::uint32_t j = 0; j < static_cast<std::uint32_t>(rows); ++j) {
-      std::uint32_t a = first + i * wide + j;
-      mesh.triangle.push_back({a, a + 1, a + wide});
-      mesh.triangle.push_back({a + 1, a + wide + 1, a + wide});
-    }
-}
-
-/// From the side: `along` from the nose, `up` from the middle line, `out` to the left.
-Vec3 place(double along, double up, double out) {
-  return {static_cast<float>(out), static_cast<float>(0.5 - along), static_cast<float>(up)};
-}
 
 void add_body(Surface& mesh, const FishForm& form) {
   constexpr double kGills = 0.25;                     // where they end, as a share of the body
@@ -50,7 +25,7 @@ void add_body(Surface& mesh, const FishForm& form) {
     for (int k = 0; k < kRound; ++k) {
       double turn = 2 * kPi * k / kRound, c = std::cos(turn), z = std::sin(turn);
       double up = half * (z < 0 ? -1 : 1) * std::pow(std::abs(z), kRoundness), out = thick * c;
-      mesh.position.push_back(place(along, up, out));
+      mesh.position.push_back(swimmer_place(along, up, out));
       mesh.uv.push_back(fish_uv(along, up));
     }
   }
@@ -75,6 +50,8 @@ double tail_reach(TailShape shape, double v) {
       return 0.55 + 0.45 * std::sqrt(std::max(0.0, 1 - a * a));
     case TailShape::square:
       return 0.92;
+    case TailShape::shark:  // the upper lobe to the end, the lower one half as far
+      return v > 0 ? 0.3 + 0.7 * std::pow(a, 1.3) : 0.3 + 0.25 * std::pow(a, 1.3);
   }
   return 1;
 }
@@ -100,8 +77,8 @@ void add_side_fin(Surface& mesh, const FishForm& form, const SideFin& fin, doubl
   auto at = [=](double t, double r) {
     double fan = (t - 0.5) * (kRootFan + kFansOut * r),
            l = length * r * (1 - kEdgesShorter * std::pow(2 * t - 1, 2));
-    return place(fin.along + l * std::cos(fan + fin.down), up - l * std::sin(fan + fin.down),
-                 side * (out + fin.spread * l));
+    return swimmer_place(fin.along + l * std::cos(fan + fin.down), up - l * std::sin(fan + fin.down),
+                         side * (out + fin.spread * form.spread * l));
   };
   // Its colours are those of fins, from a place above the back.
   add_sheet(mesh, 5, 2, at, [&](double t, double r) { return fish_uv(0.35 + 0.1 * t, 0.5 + 0.03 * r); });
@@ -110,8 +87,8 @@ void add_side_fin(Surface& mesh, const FishForm& form, const SideFin& fin, doubl
 void add_fins(Surface& mesh, const FishForm& form) {
   constexpr double kTailRoot = 0.9, kTailOpens = 0.8;  // of the body's depth; power of the way back
   constexpr double kTrails = 0.06;  // of the fish's length, by which a fin's hind corner lies behind its root
-  // Where fins of the back and the belly begin and end, as dorsal_height and anal_height have it.
-  constexpr double kDorsalEnd = 0.75, kAnalBegin = 0.52, kAnalEnd = 0.75;
+  // Where the fin of the belly begins and ends, as anal_height has it.
+  constexpr double kAnalBegin = 0.52, kAnalEnd = 0.75;
   double root = 0.5 * form.depth * form.peduncle, begin = kFishBody - kTailOverlap;
   auto tail = [&](double t, double r) {
     double v = 2 * t - 1, reach = tail_reach(form.tail, v) * (1 - begin) * r;
@@ -121,18 +98,20 @@ void add_fins(Surface& mesh, const FishForm& form) {
   auto tall = [&](double sign, double from, double to, double (*height)(const FishForm&, double)) {
     auto at = [=, &form](double t, double r) {
       double along = from + (to - from) * t, half = fish_depth(form, along / kFishBody);
-      double lean = kTrails * r * smooth_step(0.3, 1.0, t);
+      double lean = kTrails * r * smooth_step(0.3, 1.0, t) + form.sweep * height(form, along) * r * r;
       // Its root is within the body.
       return std::pair(along + lean, sign * (0.93 * half + (0.07 * half + height(form, along)) * r));
     };
     add_sheet(
-        mesh, kFinSteps, 2, [&](double t, double r) { return place(at(t, r).first, at(t, r).second, 0); },
+        mesh, kFinSteps, 2,
+        [&](double t, double r) { return swimmer_place(at(t, r).first, at(t, r).second, 0); },
         [&](double t, double r) { return fish_uv(at(t, r).first, at(t, r).second); });
   };
   add_sheet(
-      mesh, kFinSteps, 4, [&](double t, double r) { return place(tail(t, r).first, tail(t, r).second, 0); },
+      mesh, kFinSteps, 4,
+      [&](double t, double r) { return swimmer_place(tail(t, r).first, tail(t, r).second, 0); },
       [&](double t, double r) { return fish_uv(tail(t, r).first, tail(t, r).second); });
-  if (form.dorsal > 0) tall(1, form.dorsal_from, kDorsalEnd, dorsal_height);
+  if (form.dorsal > 0) tall(1, form.dorsal_from, form.dorsal_to, dorsal_height);
   if (form.anal > 0) tall(-1, kAnalBegin, kAnalEnd, anal_height);
   if (form.pectoral > 0)
     for (double side : {-1.0, 1.0})
@@ -153,8 +132,26 @@ void bend_fish(Surface& mesh, double phase, double bend) {
   }
 }
 
-/// The shape of a fish, one unit long, its nose toward +y, its back toward +z, at a phase of its beat (0..1)
-/// and bent sideways by `bend` (-1 right .. 1 left).
+}  // namespace
+
+void add_sheet(Surface& mesh, int columns, int rows, FunctionRef<Vec3(double, double)> place,
+               FunctionRef<Vec2(double, double)> uv) {
+  auto first = static_cast<std::uint32_t>(mesh.position.size());
+  for (int i = 0; i <= columns; ++i)
+    for (int j = 0; j <= rows; ++j) {
+      double t = static_cast<double>(i) / columns, r = static_cast<double>(j) / rows;
+      mesh.position.push_back(place(t, r));
+      mesh.uv.push_back(uv(t, r));
+    }
+  auto wide = static_cast<std::uint32_t>(rows + 1);
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(columns); ++i)
+    for (std::uint32_t j = 0; j < static_cast<std::uint32_t>(rows); ++j) {
+      std::uint32_t a = first + i * wide + j;
+      mesh.triangle.push_back({a, a + 1, a + wide});
+      mesh.triangle.push_back({a + 1, a + wide + 1, a + wide});
+    }
+}
+
 Surface fish_surface(const FishForm& form, double phase, double bend) {
   Surface mesh;
   add_body(mesh, form);
@@ -162,51 +159,6 @@ Surface fish_surface(const FishForm& form, double phase, double bend) {
   bend_fish(mesh, phase, bend);
   set_normals(mesh);
   return mesh;
-}
-
-}  // namespace
-
-std::vector<Prototype> fish_prototypes(const FishParams& fish) {
-  std::vector<Prototype> list;
-  std::string picture = fish_picture_name(fish.form, fish.look);
-  for (int bend = 0; bend < kTailBends; ++bend)
-    for (int phase = 0; phase < kTailPhases; ++phase) {
-      Prototype made{"fish", {}, {fish.look.flank}, fish.look.back};
-      Surface shape = fish_surface(fish.form, static_cast<double>(phase) / kTailPhases, bend - 1.0);
-      made.parts.push_back({Tissue::leaf, std::move(shape), {picture}});
-      made.luster = {.through = 0.12, .gloss = 0.9 * fish.look.gloss, .relief = 0.3 * fish.look.scales};
-      list.push_back(std::move(made));
-    }
-  return list;
-}
-
-Organs school_organs(const SchoolParams& params, const Trajectory& trajectory, double time) {
-  constexpr float kTurns = 0.7f;                    // radians a second from which its body is bent
-  constexpr float kBank = 0.25f, kMostBank = 0.5f;  // radians it leans by, for one a second of turn; at most
-  Organs organs;
-  organs.reserve(static_cast<std::size_t>(trajectory.count));
-  for (int i = 0; i < trajectory.count; ++i) {
-    FishPose pose = fish_at(trajectory, i, time);
-    float beats = pose.stroke - std::floor(pose.stroke);
-    int phase = static_cast<int>(beats * kTailPhases + 0.5f) % kTailPhases;
-    int bend = pose.turn > kTurns ? 2 : pose.turn < -kTurns ? 0 : 1;
-    Vec3 ahead = pose.heading, side = glm::cross(ahead, Vec3(0, 1, 0));
-    side = glm::length(side) > 1e-4f ? glm::normalize(side) : Vec3(1, 0, 0);
-    // It leans into its turns.
-    float bank = std::clamp(-kBank * pose.turn, -kMostBank, kMostBank);
-    glm::mat3 axes(side, ahead, glm::cross(side, ahead));
-    Quat turn = glm::normalize(glm::angleAxis(bank, ahead) * glm::quat_cast(axes));
-    float length = static_cast<float>(params.fish.length) * pose.size;
-    organs.prototype.push_back(static_cast<std::uint16_t>(bend * kTailPhases + phase));
-    organs.position.push_back(pose.position);
-    organs.turn.push_back(turn);
-    organs.scale.push_back(Vec3(length));
-    organs.node.push_back(Skeleton::kRoot);
-    organs.birth.push_back(0);
-    organs.color.push_back(0);
-    organs.id.push_back(0);  // all of one shade: after the film each takes another's place
-  }
-  return organs;
 }
 
 }  // namespace frond

@@ -8,18 +8,36 @@
 
 namespace frond {
 
+namespace {
+
+constexpr Choice<SeaAnimal> kSwimmers[] = {
+    {"fish", SeaAnimal::fish, "a fish of the given form"},
+    {"turtle", SeaAnimal::turtle, "a sea turtle: back, scutes of flank, seams of mark, belly"},
+    {"manta", SeaAnimal::manta, "a manta: back, shoulders of mark, belly with spots of edge"},
+    {"jellyfish", SeaAnimal::jellyfish,
+     "a jellyfish: top of back, rim of flank, arms of belly, tentacles of tail; with the pattern `lines` "
+     "stripes "
+     "of mark, with `spots` four horseshoes"}};
+
+}  // namespace
+
 void describe(Properties& v, FishParams& f) {
-  v.number("length", f.length, metres(0.005, 20), "Length from nose to tail");
+  v.choice("animal", f.animal, kSwimmers, "What swims, and which colours of its look count");
+  v.number("length", f.length, metres(0.005, 20),
+           "Length from nose to tail; of a manta from wingtip to wingtip, of a jellyfish across its bell");
   v.number("size_variation", f.size_variation, {.min = 0, .max = 0.6},
            "Random change of the length, as a share of it");
+  v.number("variation", f.variation, {.min = 0, .max = 0.8},
+           "Random change of the colours, as a share of them");
   v.number("beat", f.beat, {.min = 0.1, .max = 20},
-           "Lengths of its own that a fish comes on with one beat of its tail");
+           "Lengths of its own that it comes on with one beat of its tail, its wings or its bell");
   v.object("form", f.form, "The shape of a fish; shares of its length");
   v.object("look", f.look, "The colours of a fish");
 }
 
 void describe(Properties& v, SwimParams& s) {
   v.number("speed", s.speed, {.min = 0.01, .max = 20, .unit = "m/s"}, "Speed through the water");
+  v.number("turn", s.turn, {.min = 0.05, .max = 20, .unit = "rad/s"}, "How fast they turn at most");
   v.number("spacing", s.spacing, metres(0.005, 50), "Distance that fish like to keep from each other");
   v.number("sight", s.sight, metres(0.01, 100), "Distance within which a fish reads others");
   v.number("separation", s.separation, {.min = 0, .max = 10}, "How strongly fish keep apart");
@@ -33,8 +51,10 @@ void describe(Properties& v, SwimParams& s) {
   v.number("layer", s.layer, metres(0.02, 100), "Half the height of the school, about");
   v.number("roam", s.roam, metres(0, 100),
            "Distance that the school goes from its place and back in the film; shorter where the film is");
-  v.number("clearance", s.clearance, metres(0, 10),
-           "Distance that fish keep from corals, rocks and ground at least, beside half their length");
+  v.number("clearance", s.clearance, metres(-10, 10),
+           "Distance that fish keep from corals, rocks and ground at least, beside half their length; below "
+           "0 they "
+           "swim in between, as clownfish do");
   v.vector(
       "current", s.current, {.min = -10, .max = 10},
       "Current that they swim against, as a share of their speed; near 1 they hover, at 0 they go round");
@@ -59,9 +79,9 @@ Errors too_many_fish(std::span<const Organism* const> all, double /*relief*/) {
 
 class School final : public Described<SchoolParams, BedGrower> {
  public:
-  static constexpr std::string_view kLeading[] = {"fish/length",  "fish/form",     "swim/speed",
-                                                  "swim/spacing", "swim/cohesion", "swim/alignment",
-                                                  "swim/wander",  "swim/layer",    "swim/roam"};
+  static constexpr std::string_view kLeading[] = {
+      "fish/animal",   "fish/length",    "fish/form",   "swim/speed", "swim/spacing",
+      "swim/cohesion", "swim/alignment", "swim/wander", "swim/layer", "swim/roam"};
 
   GrowerTraits traits() const override {
     return {.stage = GrowthStage::swimming, .rebuilt = Rebuilt::in_films, .faults_together = too_many_fish};
@@ -70,16 +90,20 @@ class School final : public Described<SchoolParams, BedGrower> {
     if (params.swim.sight < params.swim.spacing)
       return {{{"/swim/sight",
                 "is below swim.spacing; expected at least that, so that fish see who is too near"}}};
+    if (params.fish.form.dorsal_to <= params.fish.form.dorsal_from)
+      return {{{"/fish/form/dorsal_to", "is not behind fish.form.dorsal_from; expected more than that"}}};
     return {};
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
-    constexpr double kFishTriangles = 900;
-    return SizeEstimate{.organs = 1, .parts = 1, .shapes = kTailPhases * kTailBends * kFishTriangles};
+    constexpr double kFishTriangles = 900, kOtherTriangles = 10000;
+    double triangles = params.fish.animal == SeaAnimal::fish ? kFishTriangles : kOtherTriangles;
+    return SizeEstimate{.organs = 1, .parts = 1, .shapes = kShapes * triangles};
   }
   Appearance appearance() const override {
     Appearance appearance;
     appearance.look.branches = {.bark = Bark{}};  // none is seen: fish are organs
-    appearance.look.pictures.push_back(fish_drawing(params.fish.form, params.fish.look));
+    for (const FishLook& look : looks_of(params.fish))
+      appearance.look.pictures.push_back(swimmer_drawing(params.fish.animal, params.fish.form, look));
     return appearance;
   }
   Result<Specimen> grow_bed(const Bed& bed, const World& world) const override {
@@ -89,6 +113,7 @@ class School final : public Described<SchoolParams, BedGrower> {
     task.params = params.swim;
     task.count = std::max(bed.organism->count, 0);
     task.length = params.fish.length;
+    if (params.fish.animal != SeaAnimal::fish) task.idle = 0;
     task.home = Vec3(at.x, world.height(at) + place.raise, at.y);
     task.film = world.filmed() ? world.film_length() : 0;
     task.seed = bed.seed.child("swim");
@@ -99,7 +124,7 @@ class School final : public Described<SchoolParams, BedGrower> {
     specimen.look = worn.look;
     specimen.motion = worn.motion;
     specimen.motion.film_length = world.film_length();
-    specimen.model.prototypes = fish_prototypes(params.fish);
+    specimen.model.prototypes = swimmer_prototypes(params.fish);
     specimen.model.organs = school_organs(params, *trajectory, 0);
     auto shapes = std::make_shared<const std::vector<Prototype>>(specimen.model.prototypes);
     specimen.life.held = trajectory->bytes();
@@ -135,7 +160,8 @@ class School final : public Described<SchoolParams, BedGrower> {
 }  // namespace
 
 Kind<Organism> school_kind() {
-  return make_grower<School>("school", "Fish that keep together and clear of what stands there");
+  return make_grower<School>(
+      "school", "Fish, turtles, mantas or jellyfish that keep together and clear of what stands there");
 }
 
 }  // namespace frond

@@ -26,7 +26,6 @@ constexpr double kBodyShare = 0.5;   // of its length that it keeps clear, as it
 // Accelerations by which fish are steered, each 1/s, by eye.
 constexpr float kAlignment = 2.2f, kFollowing = 1.2f, kLevelling = 1.5f;  // times a difference of velocities
 constexpr float kSeparation = 1.6f, kCohesion = 1.1f, kAvoidance = 6, kHoming = 2.5f;  // times their speed
-constexpr float kMostPull = 5;  // times their speed, of all together
 
 /// The state of all fish.
 struct Shoal {
@@ -202,7 +201,7 @@ class Swimmer {
     constexpr float kSteep = 0.6f, kFreely = 0.02f;     // rise over run; and metres a second, however slow
     auto speed = static_cast<float>(p_.speed);
     Vec3 pull = pull_[i] + drawn(shoal, i, time);
-    float strength = glm::length(pull), most = kMostPull * speed;
+    float strength = glm::length(pull), most = static_cast<float>(p_.turn) * speed;
     if (strength > most) pull *= most / strength;
     Vec3 through = shoal.velocity[i] + pull * dt - current_;
     through.y *= 1 - kLevelling * dt;  // fish swim level
@@ -267,7 +266,6 @@ double ease(double t) { return t * t * t * (t * (6 * t - 15) + 10); }
 
 /// Directions, speeds and strokes of the tail from the places.
 void finish(Trajectory& trajectory, const SwimTask& task, double beat, double size_variation) {
-  constexpr double kIdleBeats = 0.8;  // a second, of a fish that does not swim
   int n = trajectory.count;
   auto place = [&](int s, int i) {
     if (trajectory.repeats && s > trajectory.steps)
@@ -303,7 +301,7 @@ void finish(Trajectory& trajectory, const SwimTask& task, double beat, double si
       trajectory.velocity[trajectory.at(s, i)] = velocity;
       trajectory.heading[trajectory.at(s, i)] = ahead;
       trajectory.stroke[trajectory.at(s, i)] = static_cast<float>(stroke);
-      stroke += trajectory.step * (kIdleBeats + fast / (beat * task.length));
+      stroke += trajectory.step * (task.idle + fast / (beat * task.length));
     }
   }
   if (!trajectory.repeats) return;

@@ -51,6 +51,7 @@ Clearance clearance_of(const World& world, Vec3 low, Vec3 high, float cell);
 /// How a school swims.
 struct SwimParams {
   double speed = 0.35;    ///< metres a second through the water
+  double turn = 5;        ///< radians a second at most
   double spacing = 0.16;  ///< metres that fish keep from each other
   double sight = 0.6;     ///< metres within which it reacts to others
   double separation = 1;  ///< weights of the three rules, and of the other influences
@@ -70,6 +71,7 @@ struct SwimTask {
   SwimParams params;
   int count = 60;
   double length = 0.08;  ///< metres, of a fish
+  double idle = 0.8;     ///< beats a second of one that does not swim
   Vec3 home{0, 1, 0};
   double film = 0;  ///< seconds after which it repeats; 0: a still picture
   Seed seed;
