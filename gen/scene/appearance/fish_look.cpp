@@ -131,7 +131,9 @@ Color fin_color(const FishForm& form, const FishLook& look, double along, double
   constexpr double kMean = 0.93, kRelief = 0.13;    // of their shade
   double across = along > kFishBody ? up / (kFanFrom + along - kFishBody) * kFanRays
                                     : (along - kBack * std::abs(up)) * kRays;
-  return shaded(color, kMean + kRelief * std::sin(2 * kPi * across));
+  // Those of fish without scales, as sharks are, are hidden.
+  double shown = kRelief * std::min(1.0, 4 * look.scales);
+  return shaded(color, kMean + shown * std::sin(2 * kPi * across));
 }
 
 Color eye_over(const FishForm& form, const FishLook& look, Color color, double along, double up) {

@@ -95,8 +95,8 @@ class School final : public Described<SchoolParams, BedGrower> {
     return {};
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
-    constexpr double kFishTriangles = 900, kOtherTriangles = 10000;
-    double triangles = params.fish.animal == SeaAnimal::fish ? kFishTriangles : kOtherTriangles;
+    constexpr double kTriangles[] = {900, 6000, 3200, 9800};  // of the animals, about
+    double triangles = kTriangles[static_cast<std::size_t>(params.fish.animal)];
     return SizeEstimate{.organs = 1, .parts = 1, .shapes = kShapes * triangles};
   }
   Appearance appearance() const override {
