@@ -86,7 +86,8 @@ TEST(Ivy, WearsTheLeafOfAnotherClimber) {
   IvyParams params = small_ivy();
   LeafLook& look = params.leaves.picture.emplace();
   look.shape = LeafShape::maple;
-  TriangleSurface host = *TriangleSurface::build(wall());
+  Result<TriangleSurface> built = TriangleSurface::build(wall());
+  const TriangleSurface& host = *built;
   for (bool sprig : {false, true}) {
     look.sprig = sprig;
     Ivy ivy = ivy_on_wall(params);

@@ -36,6 +36,12 @@ TEST(Scars, TakeTheirShareOfTheSkin) {
   EXPECT_NEAR(all / kColonies, look.dead, 0.03);
 }
 
+TEST(Scars, AreLeftOutWhereTheyAreTooSmallToShow) {
+  TissueLook look;
+  look.dead = 1e-9, look.scars = 12;
+  EXPECT_TRUE(dead_patches(look, level(), Seed{1}).empty());
+}
+
 TEST(Scars, DifferFromColonyToColony) {
   Surface skin = level();
   TissueLook look;

@@ -262,11 +262,27 @@ TEST(School, LooksVaryAndStayWhereTheFilmBeginsAgain) {
   SchoolParams params;
   EXPECT_EQ(looks_of(params.fish).size(), 1u);
   params.fish.variation = 0.2;
-  Organs first = school_organs(params, trajectory(), 0);
+  SwimTask swims = task();
+  swims.looks = static_cast<std::size_t>(look_count(params.fish));
+  Trajectory made = swim(swims, 2.2, 0, clearance_of(*reef(), Vec3(-3, -1, -3), Vec3(3, 3, 3), 0.1f));
+  Organs first = school_organs(params, made, 0);
   std::set<std::int32_t> looks(first.color.begin(), first.color.end());
-  EXPECT_GT(looks.size(), 2u);
+  EXPECT_EQ(looks.size(), looks_of(params.fish).size());
   for (std::size_t i = 0; i < first.color.size(); ++i)
-    EXPECT_EQ(first.color[i], first.color[static_cast<std::size_t>(trajectory().next[i])]);
+    EXPECT_EQ(first.color[i], first.color[static_cast<std::size_t>(made.next[i])]);
+}
+
+TEST(School, WhatRestsBetweenStrokesBeatsForwardInEveryFilm) {
+  for (int count : {1, 7}) {
+    SwimTask swims = task();
+    swims.count = count, swims.film = 3, swims.length = 4, swims.idle = 0;
+    Trajectory made = swim(swims, 3, 0, clearance_of(*reef(), Vec3(-3, -1, -3), Vec3(3, 3, 3), 0.1f));
+    for (int i = 0; i < count; ++i) {
+      for (int s = 1; s <= made.steps; ++s)
+        EXPECT_GE(made.stroke[made.at(s, i)], made.stroke[made.at(s - 1, i)] - 1e-4f);
+      EXPECT_GE(made.stroke[made.at(made.steps, i)] - made.stroke[made.at(0, i)], 0.49f);
+    }
+  }
 }
 
 TEST(School, LargeAnimalsTurnSlowly) {

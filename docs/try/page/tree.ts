@@ -27,7 +27,7 @@ interface Species {
   seed: number;
 }
 
-/** A preset's first organism without what stands around it, or null if that is no tree or not the only one. */
+/** A preset's first organism without what stands around it, or null where that is no tree, or another one grows by rules of its own. */
 function aloneIn(text: string): Species | null {
   const { own, organisms: [first, ...others] } = new Preset(text);
   if (first?.kind !== "tree" || others.some(({ kind }) => kind === "tree")) return null;

@@ -41,7 +41,9 @@ ObjectText septa_text(const PovSpace& space, const DrawnSepta& drawn) {
   for (std::size_t i = 0; i < drawn.frames.size(); ++i)
     append_object(lines, space, "Septum", drawn.frames[i], drawn.positions[i]);
   if (lines.empty()) return {};
-  std::string text = "#ifndef(Septum)#declare Septum = ";
+  std::string text;
+  append_front(text, static_cast<double>(drawn.front));
+  text += "#ifndef(Septum)#declare Septum = ";
   append_mesh(text, space, septum_surface());
   Material material = *drawn.material;
   auto brighter = [](float c) { return std::min(1.0f, kBrighter * c); };

@@ -226,7 +226,7 @@ void describe(Properties& v, FishLook& l) {
            "spots or a net begin, likewise from below");
   v.number("mark_to", l.mark_to, {.min = -1, .max = 2}, "Where the last is");
   v.number("mark_slant", l.mark_slant, {.min = -2, .max = 2},
-           "By how much lines rise toward the head, or bars lean, over the whole fish");
+           "By how much lines rise toward the head, or bars lean forward, over the whole fish");
   v.number("mark_bow", l.mark_bow, {.min = -1, .max = 1},
            "By how much lines or bars are bowed in their middle");
   v.list("patches", l.patches, Count{0, 16}, "Saddles, bands through the eye and blotches, the last on top");

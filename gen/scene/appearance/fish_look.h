@@ -68,10 +68,10 @@ struct FishLook {
   double mark_width = 0.07;         ///< of each, as a share of the length
   double mark_from = 0.2;           ///< position of the first; bars from the nose, lines from the belly
   double mark_to = 0.78;            ///< position of the last
-  double mark_slant = 0;            ///< by how much lines rise, or bars lean back, over the fish
-  double mark_bow = 0;              ///< by how much they are bowed
-  std::vector<FishPatch> patches;   ///< over all that, the last on top
-  bool marked_fins = false;         ///< whether bars continue on the fins
+  double mark_slant = 0;  ///< by how much lines rise toward the head, or bars lean forward, over the fish
+  double mark_bow = 0;    ///< by how much they are bowed
+  std::vector<FishPatch> patches;  ///< over all that, the last on top
+  bool marked_fins = false;        ///< whether bars continue on the fins
   Color iris{0.85f, 0.80f, 0.55f};
   double eye = 0.055;   ///< its width, as a share of the length
   double scales = 0.5;  ///< strength of the scales

@@ -42,6 +42,7 @@ Material material_of(const TissueLook& look, Matter matter, Seed seed) {
 std::vector<DeadPatch> dead_patches(const TissueLook& look, const Surface& skin, Seed seed) {
   constexpr int kTries = 12;            // after which a patch lies also where nobody sees it
   constexpr float kFacesDown = -0.15f;  // height of the normals of such places
+  constexpr float kLeast = 2e-4f;       // metres, radius of a patch that shows
   std::vector<DeadPatch> patches;
   if (look.dead <= 0 || skin.position.empty()) return patches;
   double area = 0;
@@ -56,7 +57,8 @@ std::vector<DeadPatch> dead_patches(const TissueLook& look, const Surface& skin,
       if (skin.normal[v].y > kFacesDown) break;
     }
     double share = own.child("size").range(0.4, 1.6) / look.scars;
-    patches.push_back({skin.position[v], static_cast<float>(std::sqrt(share * dead / kPi))});
+    auto radius = static_cast<float>(std::sqrt(share * dead / kPi));
+    if (radius >= kLeast) patches.push_back({skin.position[v], radius});
   }
   return patches;
 }

@@ -36,8 +36,8 @@ Material material_in(const Material& material, ColonyState state) {
   if (!is_tissue(material.matter)) return material;
   Material bare = material;
   bare.color = color_in(material.color, state), bare.second = color_in(material.second, state);
-  if (state != ColonyState::living)
-    bare.polyps.width = bare.polyps.glow = 0, bare.gloss = 0, bare.dead.clear();
+  if (state != ColonyState::living) bare.polyps.width = bare.polyps.glow = 0, bare.gloss = 0;
+  if (state == ColonyState::dead) bare.dead.clear();
   return bare;
 }
 

@@ -200,6 +200,7 @@ std::vector<DrawnSepta> drawn_septa(const Solids& solids, const SeptumPlaces& pl
     Surface skin = surface_at(solid, front);
     DrawnSepta& septa =
         all.emplace_back(DrawnSepta{&solid.material, solids.position[i], solids.turn[i], solids.scale[i]});
+    if (!solid.past.empty() && growth.duration > 0) septa.front = std::min(front, 1.0f);
     auto apart = static_cast<float>(solid.material.septa.apart);
     for (std::size_t n = 0; n < places[i].size(); ++n) {
       Standing now = standing(places[i][n], skin, apart);
@@ -208,9 +209,9 @@ std::vector<DrawnSepta> drawn_septa(const Solids& solids, const SeptumPlaces& pl
             pixels = apart * now.share / (static_cast<float>(eye.pixel) * distance);
       if (pixels < kSeptumGone || glm::dot(solids.turn[i] * now.outward, to_eye) < kFacesAway * distance)
         continue;
-      // Every other one reaches less high, as the later orders of septa do.
-      auto high = static_cast<float>(kSeptumLots.child(n).range(0.85, 1.15)) * (n % 2 == 0 ? 1 : 0.94f);
-      now.frame[2] *= smooth_step(kSeptumGone, kSeptumSeen, pixels) * high;
+      // Every other one is thinner, as the later orders of septa are.
+      auto thick = static_cast<float>(kSeptumLots.child(n).range(0.85, 1.15)) * (n % 2 == 0 ? 1 : 0.94f);
+      now.frame[2] *= smooth_step(kSeptumGone, kSeptumSeen, pixels) * thick;
       septa.frames.push_back(now.frame);
       septa.positions.push_back(now.at);
     }

@@ -28,6 +28,7 @@ struct DrawnSepta {
   Vec3 position{0};                    ///< of the body
   Quat turn{1, 0, 0, 0};
   Vec3 scale{1};
+  float front = 1;                     ///< 0..1, how far the body has grown
   std::vector<glm::mat3> frames = {};  ///< of each: up the wall's foot, outward, along the ridge; the shape
                                        ///< is 1 wide, high and thick
   std::vector<Vec3> positions = {};    ///< metres

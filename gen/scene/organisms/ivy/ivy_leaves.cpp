@@ -221,7 +221,7 @@ std::vector<Color> leaf_colors(const IvyLeaves& l) {
 
 std::int32_t color_of(const IvyLeaves& l, const Bud& bud) {
   constexpr double kHalfFreshFrom = 0.3, kFreshFrom = 0.7, kEitherWay = 0.2;  // of the bud's youth
-  std::uint64_t count = l.picture ? l.picture->looks() : l.colors.size();
+  std::uint64_t count = (l.picture ? l.picture->colors : l.colors).size();
   Seed own = Seed{bud.id}.child("color");
   auto which = static_cast<std::int32_t>(own.child(0).bits() % count);
   if (l.picture) return which;

@@ -239,6 +239,7 @@ class IvyGrower final : public Described<IvyParams, BedGrower> {
       painted = 2 * kMaskPixel * static_cast<double>(crawl.mask->picture.grey->size());
     double steps = length / crawl.speed, branches = crawl.branch_depth > 0 ? length / crawl.branch_every : 0;
     constexpr double kShapeTriangles = 9000;  // of all shapes of leaves, or of a beetle's
+    constexpr double kLeafTriangles = 12;     // of the forms of a picture, for each point of half its rim
     constexpr double kStepBytes = 80;         // of a path
     if (!crawl.trace)
       return SizeEstimate{
@@ -247,6 +248,8 @@ class IvyGrower final : public Described<IvyParams, BedGrower> {
     ivy.nodes = std::min(steps * (1 + 1.5 * branches), static_cast<double>(crawl.most_nodes));
     ivy.organs = ivy.parts = 0.5 * ivy.nodes * crawl.speed / std::max(params.leaves.spacing, 1e-3);
     ivy.shapes = kShapeTriangles;
+    if (const auto& leaf = params.leaves.picture)
+      ivy.shapes = kLeafTriangles * leaf->detail * (leaf->sprig ? 2 * leaf->sprigs.pairs + 1 : 1);
     ivy.riding = true;
     ivy.nodes_a_second = 1.5e4;
     ivy.held = painted;

@@ -72,10 +72,9 @@ void describe(Properties& v, MassiveParams& m) {
   v.choice("relief", m.relief, kWrought, "What its surface is wrought into");
   v.number("valley", m.valley, metres(0.002, 1), "Distance from one ridge, or one cup, to the next");
   v.number("depth", m.depth, metres(0, 0.2), "Depth of the valleys, or of the cups");
-  v.number(
-      "septa", m.septa, {.min = 0, .max = 0.05, .unit = "m"},
-      "Distance from one septum to the next, thin walls that run down from the ridges; 0 draws none. They "
-      "come in view only where they are as large as a pixel");
+  v.number("septa", m.septa, {.min = 0, .max = 0.05, .unit = "m"},
+           "Distance from one septum to the next, thin walls that run down from ridges; 0 draws none, else a "
+           "fiftieth of a valley at least. They come in view only where they are as large as a pixel");
   v.number("edge", m.edge, metres(0.001, 0.2),
            "Length of the sides of its triangles; a fifth of a valley draws it well");
   v.object("tissue", m.tissue, "The living skin");
@@ -83,6 +82,8 @@ void describe(Properties& v, MassiveParams& m) {
 }
 
 namespace {
+
+constexpr int kMostSepta = 50;  // in the length of a valley's width
 
 class MassiveGrower final : public BodyColony<MassiveGrower, MassiveParams, grow_massive> {
  public:
@@ -93,6 +94,12 @@ class MassiveGrower final : public BodyColony<MassiveGrower, MassiveParams, grow
     if (params.edge * 8 > std::min(params.across, params.height))
       return {{{"/edge",
                 "found triangles that are too large for the coral; expected an eighth of its size at most"}}};
+    if (params.septa > 0 && params.septa * kMostSepta < params.valley)
+      return {{error_at("/septa",
+                        "found {:g} m, of which more than {} fit on a valley; expected 0 or {:g} m at least",
+                        params.septa, kMostSepta, params.valley / kMostSepta)}};
+    if (params.septa > 0 && (params.relief == Wrought::plain || params.depth <= 0))
+      return {{}, {{"/septa", "does nothing; expected a relief of cups or of a meander that has a depth"}}};
     return {};
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
@@ -103,6 +110,10 @@ class MassiveGrower final : public BodyColony<MassiveGrower, MassiveParams, grow
     sight.triangles *= 1 << 2 * kTimes;
     sight.held *= 1 << 2 * kTimes;
     sight.seconds += kReacting * reaction_of(params).steps * sight.triangles;
+    // A line half way up each wall runs twice along each valley.
+    double skin = kPi * params.across * (params.across / 4 + params.height);
+    constexpr double kSeptumBytes = 40;
+    if (params.septa > 0) sight.held += kSeptumBytes * 2 * skin / (params.valley * params.septa);
     return sight;
   }
 };

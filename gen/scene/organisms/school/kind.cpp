@@ -31,13 +31,14 @@ void describe(Properties& v, FishParams& f) {
            "Random change of the colours, as a share of them");
   v.number("beat", f.beat, {.min = 0.1, .max = 20},
            "Lengths of its own that it comes on with one beat of its tail, its wings or its bell");
-  v.object("form", f.form, "The shape of a fish; shares of its length");
+  v.object("form", f.form, "The shape of a fish; shares of its length. Needs \"animal\": \"fish\"");
   v.object("look", f.look, "The colours of a fish");
 }
 
 void describe(Properties& v, SwimParams& s) {
   v.number("speed", s.speed, {.min = 0.01, .max = 20, .unit = "m/s"}, "Speed through the water");
-  v.number("turn", s.turn, {.min = 0.05, .max = 20, .unit = "rad/s"}, "How fast they turn at most");
+  v.number("turn", s.turn, {.min = 0.05, .max = 20, .unit = "rad/s"},
+           "How fast they turn at most, at that speed");
   v.number("spacing", s.spacing, metres(0.005, 50), "Distance that fish like to keep from each other");
   v.number("sight", s.sight, metres(0.01, 100), "Distance within which a fish reads others");
   v.number("separation", s.separation, {.min = 0, .max = 10}, "How strongly fish keep apart");
@@ -51,7 +52,7 @@ void describe(Properties& v, SwimParams& s) {
   v.number("layer", s.layer, metres(0.02, 100), "Half the height of the school, about");
   v.number("roam", s.roam, metres(0, 100),
            "Distance that the school goes from its place and back in the film; shorter where the film is");
-  v.number("clearance", s.clearance, metres(-10, 10),
+  v.number("clearance", s.clearance, metres(-0.5, 10),
            "Distance that fish keep from corals, rocks and ground at least, beside half their length; below "
            "0 they "
            "swim in between, as clownfish do");
@@ -90,7 +91,7 @@ class School final : public Described<SchoolParams, BedGrower> {
     if (params.swim.sight < params.swim.spacing)
       return {{{"/swim/sight",
                 "is below swim.spacing; expected at least that, so that fish see who is too near"}}};
-    if (params.fish.form.dorsal_to <= params.fish.form.dorsal_from)
+    if (params.fish.animal == SeaAnimal::fish && params.fish.form.dorsal_to <= params.fish.form.dorsal_from)
       return {{{"/fish/form/dorsal_to", "is not behind fish.form.dorsal_from; expected more than that"}}};
     return {};
   }
@@ -113,6 +114,7 @@ class School final : public Described<SchoolParams, BedGrower> {
     task.params = params.swim;
     task.count = std::max(bed.organism->count, 0);
     task.length = params.fish.length;
+    task.looks = static_cast<std::size_t>(look_count(params.fish));
     if (params.fish.animal != SeaAnimal::fish) task.idle = 0;
     task.home = Vec3(at.x, world.height(at) + place.raise, at.y);
     task.film = world.filmed() ? world.film_length() : 0;

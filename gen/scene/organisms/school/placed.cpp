@@ -31,20 +31,9 @@ std::string_view name_of(SeaAnimal animal) {
   return kNames[static_cast<std::size_t>(animal)];
 }
 
-/// Which look each has. One that takes another's place after the film has the same.
-std::vector<std::int32_t> looks_along(const Trajectory& trajectory, int looks) {
-  std::vector<std::int32_t> look(static_cast<std::size_t>(trajectory.count), -1);
-  std::int32_t chains = 0;
-  for (int first = 0; first < trajectory.count; ++first)
-    for (auto i = static_cast<std::size_t>(first); look[i] < 0;
-         i = static_cast<std::size_t>(trajectory.next[i])) {
-      if (i == static_cast<std::size_t>(first)) ++chains;
-      look[i] = chains % looks;
-    }
-  return look;
-}
-
 }  // namespace
+
+int look_count(const FishParams& fish) { return fish.variation > 0 ? kLooks : 1; }
 
 std::vector<FishLook> looks_of(const FishParams& fish) {
   if (fish.variation <= 0) return {fish.look};
@@ -79,7 +68,7 @@ Organs school_organs(const SchoolParams& params, const Trajectory& trajectory, d
   constexpr float kHangs = 0.35f;                   // share of its heading that a jellyfish leans by
   SeaAnimal animal = params.fish.animal;
   bool bends = animal == SeaAnimal::fish;
-  std::vector<std::int32_t> look = looks_along(trajectory, static_cast<int>(looks_of(params.fish).size()));
+  int looks = look_count(params.fish);
   Organs organs;
   organs.reserve(static_cast<std::size_t>(trajectory.count));
   for (int i = 0; i < trajectory.count; ++i) {
@@ -103,7 +92,7 @@ Organs school_organs(const SchoolParams& params, const Trajectory& trajectory, d
     organs.scale.push_back(Vec3(length));
     organs.node.push_back(Skeleton::kRoot);
     organs.birth.push_back(0);
-    organs.color.push_back(look[static_cast<std::size_t>(i)]);
+    organs.color.push_back(i % looks);
     organs.id.push_back(0);  // all of one shade: after the film each takes another's place
   }
   return organs;

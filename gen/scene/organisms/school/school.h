@@ -28,6 +28,7 @@ inline constexpr int kShapes = kTailPhases * kTailBends;
 
 /// The looks of single animals, one where they do not vary.
 std::vector<FishLook> looks_of(const FishParams& fish);
+int look_count(const FishParams& fish);
 
 /// All its shapes: kTailPhases for each of kTailBends, or kShapes phases.
 std::vector<Prototype> swimmer_prototypes(const FishParams& fish);

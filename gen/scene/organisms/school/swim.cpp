@@ -168,8 +168,11 @@ class Swimmer {
     Vec3 pull = kFollowing * (guide_velocity(time) - shoal.velocity[i]);
     if (out > kAtHome) pull -= speed * kHoming * (out - kAtHome) * share / out;
     // Ahead of it and beside it.
-    float margin = body_ + kMarginTime * speed + kMargin;
-    for (Vec3 look : {at, at + kLookAhead * shoal.velocity[i]}) {
+    // What turns slowly looks farther ahead: in 1 / turn seconds it comes round by a radian.
+    constexpr float kMostMarginTime = 3;
+    float margin_time = std::clamp(1 / static_cast<float>(p_.turn), kMarginTime, kMostMarginTime);
+    float margin = body_ + margin_time * speed + kMargin;
+    for (Vec3 look : {at, at + std::max(kLookAhead, margin_time) * shoal.velocity[i]}) {
       float room = clear_(look);
       if (room >= margin) continue;
       float near = 1 - std::max(0.0f, room - body_) / (margin - body_);
@@ -224,8 +227,9 @@ class Swimmer {
   std::vector<Vec3> pull_, push_;
 };
 
-/// Whom each of `from` should follow among `to`: pairs near each other, each once.
-std::vector<int> match(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
+/// Whom each of `from` should follow among `to`: pairs near each other, each once, of the same look where
+/// there are several, which go round.
+std::vector<int> match(const std::vector<Vec3>& from, const std::vector<Vec3>& to, std::size_t looks) {
   std::size_t n = from.size();
   struct Pair {
     float far;
@@ -234,7 +238,7 @@ std::vector<int> match(const std::vector<Vec3>& from, const std::vector<Vec3>& t
   std::vector<Pair> pairs;
   pairs.reserve(n * n);
   for (std::uint32_t i = 0; i < n; ++i)
-    for (std::uint32_t j = 0; j < n; ++j) {
+    for (auto j = static_cast<std::uint32_t>(i % looks); j < n; j += static_cast<std::uint32_t>(looks)) {
       Vec3 off = from[i] - to[j];
       pairs.push_back({glm::dot(off, off), i, j});
     }
@@ -254,7 +258,7 @@ std::vector<int> match(const std::vector<Vec3>& from, const std::vector<Vec3>& t
   for (int round = 0; round < kExchanges; ++round) {
     bool better = false;
     for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = i + 1; j < n; ++j)
+      for (std::size_t j = i + looks; j < n; j += looks)
         if (far(i, next[j]) + far(j, next[i]) < far(i, next[i]) + far(j, next[j]) - 1e-9f)
           std::swap(next[i], next[j]), better = true;
     if (!better) break;
@@ -310,6 +314,10 @@ void finish(Trajectory& trajectory, const SwimTask& task, double beat, double si
     float gap = trajectory.stroke[trajectory.at(0, trajectory.next[static_cast<std::size_t>(i)])] -
                 trajectory.stroke[trajectory.at(trajectory.steps, i)];
     gap -= std::round(gap);
+    float beaten =
+        trajectory.stroke[trajectory.at(trajectory.steps, i)] - trajectory.stroke[trajectory.at(0, i)];
+    // What has no idle beats would else stand still in a short film, or beat backward.
+    if (task.idle <= 0 && beaten + gap < 0.5f) gap += std::ceil(0.5f - beaten - gap);
     for (int s = 0; s <= trajectory.steps; ++s)
       trajectory.stroke[trajectory.at(s, i)] +=
           gap * static_cast<float>(s) / static_cast<float>(trajectory.steps);
@@ -344,7 +352,7 @@ Trajectory swim(const SwimTask& task, double beat, double size_variation, const 
   if (trajectory.repeats && trajectory.count > 0) {
     std::vector<Vec3> begin(trajectory.position.begin(), trajectory.position.begin() + trajectory.count);
     std::vector<Vec3> end(trajectory.position.end() - trajectory.count, trajectory.position.end());
-    trajectory.next = match(end, begin);
+    trajectory.next = match(end, begin, task.looks);
     std::vector<Vec3> at(begin.size());
     for (int b = 0; b <= blend; ++b) {
       int s = trajectory.steps - blend + b;

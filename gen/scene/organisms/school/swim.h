@@ -70,8 +70,9 @@ struct SwimParams {
 struct SwimTask {
   SwimParams params;
   int count = 60;
-  double length = 0.08;  ///< metres, of a fish
-  double idle = 0.8;     ///< beats a second of one that does not swim
+  double length = 0.08;   ///< metres, of a fish
+  double idle = 0.8;      ///< beats a second of one that does not swim
+  std::size_t looks = 1;  ///< kinds of colours: animal i has number i % looks, and so has who takes its place
   Vec3 home{0, 1, 0};
   double film = 0;  ///< seconds after which it repeats; 0: a still picture
   Seed seed;

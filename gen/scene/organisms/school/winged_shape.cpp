@@ -150,7 +150,7 @@ void add_shell(Surface& mesh) {
 }
 
 void add_head(Surface& mesh) {
-  constexpr double kWide = 0.066, kHigh = 0.064, kLong = 0.30, kUp = 0.0;
+  constexpr double kWide = 0.066, kHigh = 0.064, kLong = 0.30;
   auto size = [](double t) {  // the beak, the skull, the neck
     double skull = std::sqrt(std::sin(0.5 * kPi * std::min(1.0, (t + 0.004) / 0.32)));
     return skull * (1 - 0.22 * smooth_step(0.42, 0.62, t));
@@ -160,7 +160,7 @@ void add_head(Surface& mesh) {
   };
   auto place = [&](double t, double turn) {
     double s = std::sin(turn), up = kHigh * size(t) * (s > 0 ? s : 0.85 * s);
-    return swimmer_place(kLong * t, kUp + up - 0.02 * (1 - smooth_step(0.0, 0.25, t)), wide(t, turn));
+    return swimmer_place(kLong * t, up - 0.02 * (1 - smooth_step(0.0, 0.25, t)), wide(t, turn));
   };
   add_sides(mesh, 16, 10, place,
             [&](double t, bool above, double turn) { return plan_uv(kLong * t, wide(t, turn), above); });
@@ -173,7 +173,7 @@ constexpr double kDiscBody = 0.2;  // of half a manta's span, that its beat spar
 /// The outline of a manta's disc from above: front and hind edge at a share of half its span.
 glm::dvec2 disc_edges(double share) {
   double front = 0.035 + 0.20 * std::pow(share, 1.35) + 0.05 * smooth_step(0.7, 1.0, share),
-         hind = 0.47 - 0.185 * std::pow(share, 0.6) - 0.0 * share;
+         hind = 0.47 - 0.185 * std::pow(share, 0.6);
   return {front, std::max(hind, front)};
 }
 
