@@ -116,6 +116,16 @@ TEST(Sowing, TellsWhereRoomRanOut) {
   EXPECT_NE(scene.notes[0].find(" of 200 found room"), std::string::npos);
 }
 
+TEST(Sowing, SaysNothingOfTheFewThatFindNoRoom) {
+  Organism organism;
+  organism.count = 1000;
+  Scene scene;
+  note_room(scene, organism, 3, 990);
+  EXPECT_TRUE(scene.notes.empty());
+  note_room(scene, organism, 3, 989);
+  EXPECT_EQ(scene.notes.size(), 1u);
+}
+
 TEST(Sowing, IvyCannotBeSownAndDoesNotGrowOnWhatIs) {
   Result<Preset> sown = read_sown("meadow", R"({"kind": "ivy", "sown": {"models": 2}})");
   ASSERT_FALSE(sown.ok());

@@ -241,8 +241,7 @@ Errors sow_on_bodies(Scene& scene, const Preset& preset, const World& world) {
         crowd->second.add(claim.foot, std::min(kept * claim.across, 0.25f));
       }
     int found = BodySower(organism, **host, world, seeds[set->entry]).sow(crowd->second, set->copies);
-    if (found < organism.count)
-      scene.notes.push_back(room_note(organism, set->entry, static_cast<std::size_t>(found)));
+    note_room(scene, organism, set->entry, static_cast<std::size_t>(found));
   }
   return {};
 }

@@ -50,10 +50,12 @@ void add_copy(Copies& copies, const Organism& organism, Seed seed, DVec3 foot, V
   copies.tint.push_back(static_cast<std::uint8_t>(seed.child("tint").bits() % kTints));
 }
 
-std::string room_note(const Organism& organism, std::size_t entry, std::size_t found) {
-  return fmt::format("{}: only {} of {} found room; sown.where less strict, or its radius less?",
-                     organism.name.empty() ? fmt::format("organism {}", entry) : organism.name, found,
-                     organism.count);
+void note_room(Scene& scene, const Organism& organism, std::size_t entry, std::size_t found) {
+  constexpr double kNearlyAll = 0.99;
+  if (static_cast<double>(found) >= kNearlyAll * organism.count) return;
+  scene.notes.push_back(fmt::format(
+      "{}: only {} of {} found room; sown.where less strict, or its radius less?",
+      organism.name.empty() ? fmt::format("organism {}", entry) : organism.name, found, organism.count));
 }
 
 void sow_copies(Scene& scene, const Preset& preset, const Grounds& ground, std::vector<Spot> taken) {
@@ -77,8 +79,7 @@ void sow_copies(Scene& scene, const Preset& preset, const Grounds& ground, std::
     CopySet& set = scene.copy_sets[sets[i]];
     const Organism& organism = preset.organisms[set.entry];
     set.copies = copies_of(organism, sown[i], ground.heights());
-    if (static_cast<int>(sown[i].size()) < organism.count)
-      scene.notes.push_back(room_note(organism, set.entry, sown[i].size()));
+    note_room(scene, organism, set.entry, sown[i].size());
   }
 }
 

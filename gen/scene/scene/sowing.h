@@ -36,7 +36,7 @@ void set_copy_lifetimes(Scene& scene, const Preset& preset);
 /// Appends a copy whose foot is on a surface that faces there.
 void add_copy(Copies& copies, const Organism& organism, Seed seed, DVec3 foot, Vec3 normal, float size,
               std::uint16_t model);
-/// Says that only so many copies found room.
-std::string room_note(const Organism& organism, std::size_t entry, std::size_t found);
+/// Notes where more than a hundredth of an organism's copies found no room.
+void note_room(Scene& scene, const Organism& organism, std::size_t entry, std::size_t found);
 
 }  // namespace frond
