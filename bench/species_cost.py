@@ -4,7 +4,7 @@
 Usage: bench/species_cost.py [--program build/frond] [PRESET...] > species_cost.csv
 
 The near plant is the species' own preset, a still of 480 x 270 pixels. The copies are of four models and stand, each in
-a circle a third as wide as the species is high and at most 6 m wide, before a camera at eye level in a meadow, or two metres above the sea
+a circle a third as wide as the species is high and at most 6 m wide (what swims is one school), before a camera at eye level in a meadow, or two metres above the sea
 floor. Columns: megabytes of memory of the program and POV-Ray together, megabytes of a frame, seconds of processor to
 generate and to render it.
 """
@@ -35,18 +35,23 @@ def cost(program, arguments):
 def copies(path):
     """A preset of a thousand of a species."""
     height = taxon(path).get("height", [1, 1])[1]
+    swims = preset_in(path)["organisms"][0].get("kind") == "school"
     room = min(height / 3, 6)
-    sea = path.parent.name in ("corals", "shells", "reef")
+    sea = path.parent.name in ("corals", "fishes", "reef", "reef_animals", "shells")
     camera = {"location": [0, 2 if sea else 1.7, 0.5 * room + 3 * height], "look_at": [0, height / 2, 0]}
     return {"film": {"frames": 1, "size": [480, 270]},
             "scene": {"setting": "underwater" if sea else "meadow", "camera": camera},
-            "organisms": [{"species": str(path), "count": 1000,
+            "organisms": [{"species": str(path), "count": 1000} if swims else
+                          {"species": str(path), "count": 1000,
                            "sown": {"models": 4, "where": {"radius": round(room / 2, 4), "reach": round(22 * room, 3)}}}]}
 
 
+def preset_in(path):
+    return json.loads(re.sub(r"^\s*//.*$", "", path.read_text(encoding="utf-8"), flags=re.M))
+
+
 def taxon(path):
-    without_comments = re.sub(r"^\s*//.*$", "", path.read_text(encoding="utf-8"), flags=re.M)
-    return json.loads(without_comments).get("taxon", {})
+    return preset_in(path).get("taxon", {})
 
 
 def main():
