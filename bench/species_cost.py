@@ -38,12 +38,11 @@ def copies(path):
     swims = preset_in(path)["organisms"][0].get("kind") == "school"
     room = min(height / 3, 6)
     sea = path.parent.name in ("corals", "fishes", "reef", "reef_animals", "shells")
+    sown = {"models": 4, "where": {"radius": round(room / 2, 4), "reach": round(22 * room, 3)}}
     camera = {"location": [0, 2 if sea else 1.7, 0.5 * room + 3 * height], "look_at": [0, height / 2, 0]}
     return {"film": {"frames": 1, "size": [480, 270]},
             "scene": {"setting": "underwater" if sea else "meadow", "camera": camera},
-            "organisms": [{"species": str(path), "count": 1000} if swims else
-                          {"species": str(path), "count": 1000,
-                           "sown": {"models": 4, "where": {"radius": round(room / 2, 4), "reach": round(22 * room, 3)}}}]}
+            "organisms": [{"species": str(path), "count": 1000, **({} if swims else {"sown": sown})}]}
 
 
 def preset_in(path):

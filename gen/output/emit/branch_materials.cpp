@@ -205,21 +205,11 @@ void declare_pictures(std::string& text, const std::vector<std::string>& files, 
 }
 
 std::string array_of(std::string_view as, const std::vector<std::string>& files) {
-  std::string text = fmt::format("array[{}]{{", files.size());
-  for (const std::string& file : files) {
-    if (text.back() != '{') text += ',';
-    text += picture_id(as, file);
-  }
-  return text + '}';
+  return array_text(files, [&](std::string& text, const std::string& file) { text += picture_id(as, file); });
 }
 
 std::string array_of(const std::vector<Color>& colors) {
-  std::string text = fmt::format("array[{}]{{", colors.size());
-  for (const Color& color : colors) {
-    if (text.back() != '{') text += ',';
-    append_color(text, color);
-  }
-  return text + '}';
+  return array_text(colors, [](std::string& text, const Color& color) { append_color(text, color); });
 }
 
 bool is_lit(const std::optional<Luster>& luster) { return luster && luster->yellow > 0; }

@@ -54,6 +54,17 @@ void append_vector(std::string& text, int decimals, Numbers... numbers) {
   text += '>';
 }
 
+/// `array[N]{...}` of items, each of which `append(text, item)` writes.
+template <class Items, class Append>
+std::string array_text(const Items& items, const Append& append) {
+  std::string text = "array[" + std::to_string(items.size()) + "]{";
+  for (const auto& item : items) {
+    if (text.back() != '{') text += ',';
+    append(text, item);
+  }
+  return text + '}';
+}
+
 /// Appends `<x,y,z>` of a place in the world.
 void append_point(std::string& text, const PovSpace& space, Vec3 at, int decimals = kDecimals);
 

@@ -10,7 +10,7 @@ namespace {
 constexpr int kSteps = 8;           // from the valley to the ridge
 constexpr float kAbove = 0.13f;     // of the wall's height: how far its crest stands above the wall
 constexpr float kBelow = 0.2f;      // and how deep its foot lies in it
-constexpr float kBrighter = 1.12f;  // than the wall, as light comes through its edge
+constexpr double kBrighter = 1.12;  // than the wall, as light comes through its edge
 
 /// One that runs up a wall of width and height 1 along +x, 1 thick; u of its `uv` is as on the wall.
 Surface septum_surface() {
@@ -46,9 +46,7 @@ ObjectText septa_text(const PovSpace& space, const DrawnSepta& drawn) {
   text += "#ifndef(Septum)#declare Septum = ";
   append_mesh(text, space, septum_surface());
   Material material = *drawn.material;
-  auto brighter = [](float c) { return std::min(1.0f, kBrighter * c); };
-  material.color = {brighter(material.color.red), brighter(material.color.green),
-                    brighter(material.color.blue)};
+  material.color = scaled(material.color, kBrighter);
   text += "#end\nunion{\n" + lines + material_text(material);
   if (!append_matrix(text, space, axes_of(drawn.turn, drawn.scale), drawn.position)) return {};
   return {text + "}\n", 1};

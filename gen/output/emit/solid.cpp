@@ -140,12 +140,10 @@ void append_grown(ObjectText& all, const PovSpace& space, const DrawnBody& body,
 
 /// A layer over living tissue: what of it has died.
 std::string dead_text(const Material& material) {
-  std::string text = fmt::format("texture{{Reef_Dead(array[{}]{{", material.dead.size());
-  for (const DeadPatch& patch : material.dead) {
-    if (text.back() != '{') text += ',';
+  std::string patches = array_text(material.dead, [](std::string& text, const DeadPatch& patch) {
     append_vector(text, 4, patch.at.x, patch.at.y, -patch.at.z, patch.radius);
-  }
-  return text + "}," + number_text(material.scale, 4) + ")}";
+  });
+  return "texture{Reef_Dead(" + patches + ',' + number_text(material.scale, 4) + ")}";
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/cell_grid.h"
+#include "draw/solids.h"
 
 namespace frond {
 
@@ -69,21 +70,18 @@ PolypPlaces polyp_places(const Solids& solids) {
 std::vector<DrawnPolyps> drawn_polyps(const Solids& solids, const PolypPlaces& places, const Growth& growth,
                                       double time, const Eye& eye) {
   std::vector<DrawnPolyps> all;
-  auto front = static_cast<float>(growth_front(growth, time));
-  if (front <= 0) return all;
-  for (std::size_t i = 0; i < solids.size(); ++i) {
-    const Solid& solid = solids.shapes[solids.shape[i]];
-    if (places[i].empty()) continue;
-    Surface skin = surface_at(solid, front);
-    DrawnPolyps& polyps = all.emplace_back(DrawnPolyps{&solid.material.polyps, solid.material.color, eye});
-    for (std::size_t n = 0; n < places[i].size(); ++n) {
-      const SurfacePoint& spot = places[i][n];
-      double born = solid.surface.uv.empty() ? 0 : static_cast<double>(spot.of(solid.surface.uv).y);
-      polyps.add(n, solids.placed(i, spot.of(skin.position)),
-                 solids.turn[i] * direction_or(spot.of(skin.normal), Vec3(0, 1, 0)),
-                 grown_since(born, static_cast<double>(front)));
-    }
-  }
+  each_grown_skin(
+      solids, places, growth, time, [&](std::size_t i, const Solid& solid, const Surface& skin, float front) {
+        DrawnPolyps& polyps =
+            all.emplace_back(DrawnPolyps{&solid.material.polyps, solid.material.color, eye});
+        for (std::size_t n = 0; n < places[i].size(); ++n) {
+          const SurfacePoint& spot = places[i][n];
+          double born = solid.surface.uv.empty() ? 0 : static_cast<double>(spot.of(solid.surface.uv).y);
+          polyps.add(n, solids.placed(i, spot.of(skin.position)),
+                     solids.turn[i] * direction_or(spot.of(skin.normal), Vec3(0, 1, 0)),
+                     grown_since(born, static_cast<double>(front)));
+        }
+      });
   return all;
 }
 

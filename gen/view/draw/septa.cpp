@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "draw/solids.h"
+
 namespace frond {
 
 namespace {
@@ -192,31 +194,27 @@ SeptumPlaces septum_places(const Solids& solids) {
 std::vector<DrawnSepta> drawn_septa(const Solids& solids, const SeptumPlaces& places, const Growth& growth,
                                     double time, const Eye& eye) {
   std::vector<DrawnSepta> all;
-  auto front = static_cast<float>(growth_front(growth, time));
-  if (front <= 0) return all;
-  for (std::size_t i = 0; i < solids.size(); ++i) {
-    const Solid& solid = solids.shapes[solids.shape[i]];
-    if (places[i].empty()) continue;
-    Surface skin = surface_at(solid, front);
-    DrawnSepta& septa =
-        all.emplace_back(DrawnSepta{&solid.material, solids.position[i], solids.turn[i], solids.scale[i]});
-    if (!solid.past.empty() && growth.duration > 0) septa.front = std::min(front, 1.0f);
-    auto apart = static_cast<float>(solid.material.septa.apart);
-    for (std::size_t n = 0; n < places[i].size(); ++n) {
-      Standing now = standing(places[i][n], skin, apart);
-      Vec3 to_eye = eye.at - solids.placed(i, now.at);
-      float distance = glm::length(to_eye),
-            pixels = apart * now.share / (static_cast<float>(eye.pixel) * distance);
-      if (pixels < kSeptumGone || glm::dot(solids.turn[i] * now.outward, to_eye) < kFacesAway * distance)
-        continue;
-      // Every other one is thinner, as the later orders of septa are.
-      auto thick = static_cast<float>(kSeptumLots.child(n).range(0.85, 1.15)) * (n % 2 == 0 ? 1 : 0.94f);
-      now.frame[2] *= smooth_step(kSeptumGone, kSeptumSeen, pixels) * thick;
-      septa.frames.push_back(now.frame);
-      septa.positions.push_back(now.at);
-    }
-    if (septa.frames.empty()) all.pop_back();
-  }
+  each_grown_skin(
+      solids, places, growth, time, [&](std::size_t i, const Solid& solid, const Surface& skin, float front) {
+        DrawnSepta& septa = all.emplace_back(
+            DrawnSepta{&solid.material, solids.position[i], solids.turn[i], solids.scale[i]});
+        if (is_growing(solid, growth)) septa.front = std::min(front, 1.0f);
+        auto apart = static_cast<float>(solid.material.septa.apart);
+        for (std::size_t n = 0; n < places[i].size(); ++n) {
+          Standing now = standing(places[i][n], skin, apart);
+          Vec3 to_eye = eye.at - solids.placed(i, now.at);
+          float distance = glm::length(to_eye),
+                pixels = apart * now.share / (static_cast<float>(eye.pixel) * distance);
+          if (pixels < kSeptumGone || glm::dot(solids.turn[i] * now.outward, to_eye) < kFacesAway * distance)
+            continue;
+          // Every other one is thinner, as the later orders of septa are.
+          auto thick = static_cast<float>(kSeptumLots.child(n).range(0.85, 1.15)) * (n % 2 == 0 ? 1 : 0.94f);
+          now.frame[2] *= smooth_step(kSeptumGone, kSeptumSeen, pixels) * thick;
+          septa.frames.push_back(now.frame);
+          septa.positions.push_back(now.at);
+        }
+        if (septa.frames.empty()) all.pop_back();
+      });
   return all;
 }
 

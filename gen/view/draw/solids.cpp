@@ -43,10 +43,6 @@ std::vector<T> kept_of(const std::vector<T>& all, const Coarser& coarser) {
   return some;
 }
 
-bool is_growing(const Solid& solid, const Growth& growth) {
-  return !solid.past.empty() && growth.duration > 0;
-}
-
 /// The shapes that are wanted and stand somewhere.
 template <class Wanted>
 std::vector<DrawnBody> placed_shapes(const Solids& solids, const Wanted& wanted) {
@@ -62,6 +58,10 @@ std::vector<DrawnBody> placed_shapes(const Solids& solids, const Wanted& wanted)
 }
 
 }  // namespace
+
+bool is_growing(const Solid& solid, const Growth& growth) {
+  return !solid.past.empty() && growth.duration > 0;
+}
 
 std::vector<DrawnBody> still_bodies(const Solids& solids, const Growth& growth) {
   return placed_shapes(solids, [&](const Solid& solid) { return !is_growing(solid, growth); });

@@ -50,6 +50,22 @@ struct DrawnBody {
 
   const Surface& surface() const { return now ? *now : solid->surface; }
 };
+/// Whether a film sees it grow.
+bool is_growing(const Solid& solid, const Growth& growth);
+
+/// Calls `visit(number, solid, skin, front)` for each of the solids that has `places`, with its skin at a
+/// time, if it has begun to grow.
+template <class Places, class Visit>
+void each_grown_skin(const Solids& solids, const std::vector<Places>& places, const Growth& growth,
+                     double time, const Visit& visit) {
+  auto front = static_cast<float>(growth_front(growth, time));
+  if (front <= 0) return;
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    const Solid& solid = solids.shapes[solids.shape[i]];
+    if (!places[i].empty()) visit(i, solid, surface_at(solid, front), front);
+  }
+}
+
 /// The bodies that are the same in the whole film, in the order of their shapes. Refers to the solids.
 std::vector<DrawnBody> still_bodies(const Solids& solids, const Growth& growth);
 /// The bodies that a film sees grow, if they have begun to.

@@ -261,7 +261,9 @@ std::size_t add_single_leaves(Model& model, const Plan& plan, std::vector<Bud>& 
   constexpr double kSuppleStalk = 0.05;                  // metres; it flutters by 1 (Organs::supple)
   int detail = laid.size() < kFewLeaves ? 2 : 1;
   std::vector<Feelers> feelers;
+  std::vector<double> stalks;
   for (std::uint32_t i = 0; i < forms.size(); ++i) {
+    stalks.push_back(stalk_of(plan.leaves, i));
     Surface leaf = leaf_of(plan.leaves, i, detail);
     feelers.push_back(feelers_of(felt(plan.leaves, leaf), kFeelersApart));
     add_prototype(model, plan.leaves, "leaf", std::move(leaf));
@@ -269,7 +271,7 @@ std::size_t add_single_leaves(Model& model, const Plan& plan, std::vector<Bud>& 
   rest_all(plan, feelers, kSlide, buds, laid);
   for (const LaidLeaf& leaf : laid) {
     const Bud& bud = buds[leaf.site];
-    double stalk = stalk_of(plan.leaves, leaf.form) * bud.site.size;
+    double stalk = stalks[leaf.form] * bud.site.size;
     add_organ(model, plan, bud, leaf, static_cast<float>(stalk / kSuppleStalk));
   }
   return laid.size();

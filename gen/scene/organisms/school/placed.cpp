@@ -36,7 +36,7 @@ std::string_view name_of(SeaAnimal animal) {
 int look_count(const FishParams& fish) { return fish.variation > 0 ? kLooks : 1; }
 
 std::vector<FishLook> looks_of(const FishParams& fish) {
-  if (fish.variation <= 0) return {fish.look};
+  if (look_count(fish) == 1) return {fish.look};
   std::vector<FishLook> all;
   for (int i = 0; i < kLooks; ++i)
     all.push_back(varied(fish.look, fish.variation, Seed{31}.child(static_cast<std::uint64_t>(i))));
