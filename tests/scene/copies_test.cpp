@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
+
+#include "scene/copy_organs.h"
 
 namespace frond {
 namespace {
@@ -81,6 +84,21 @@ TEST(CopyParts, KeepToTheirTriangles) {
     if (first == 0) first = area(leaves);
     EXPECT_NEAR(area(leaves), first, 0.4 * first) << most;
   }
+}
+
+TEST(CopyParts, HaveNoMoreLeavesThanHide) {
+  Organism o = organism(tree());
+  Result<Model> model = grow_copy(o, 0);
+  ASSERT_TRUE(model);
+  for (Vec3& scale : model->organs.scale) scale *= 6.0f;  // leaves over leaves
+  const std::vector<double> areas = organ_areas(*model);
+  const double all = std::accumulate(areas.begin(), areas.end(), 0.0), share = hiding_share(*model, all);
+  ASSERT_LT(share, 0.5);
+  auto leaves = [&](double most) { return copy_parts(o.grower->appearance().look, *model, {0.002, most}); };
+  const double whole = area(part_of(leaves(1e9), CopyPart::Kind::organ).surface);
+  const double few = area(part_of(leaves(200), CopyPart::Kind::organ).surface);
+  EXPECT_NEAR(few, share * whole, 0.4 * share * whole);
+  EXPECT_GT(area(part_of(leaves(5000), CopyPart::Kind::organ).surface), 0.6 * share * whole);
 }
 
 TEST(CopyParts, LeavesKnowTheirColor) {

@@ -170,7 +170,7 @@ Pieces pieces_of(const Surface& surface) {
   return pieces;
 }
 
-Surface far_leaves(const Surface& surface, const Pieces& pieces, int stride, FarLeaf as) {
+Surface far_leaves(const Surface& surface, const Pieces& pieces, int stride, FarLeaf as, double cover) {
   Surface out;
   std::vector<Piece> list = measured(surface, pieces, false);
   if (stride == 1) {
@@ -184,7 +184,10 @@ Surface far_leaves(const Surface& surface, const Pieces& pieces, int stride, Far
   for (const Piece& piece : list) {
     double after = before + static_cast<double>(piece.area);
     double parts = std::floor(after / part + 0.5) - std::floor(before / part + 0.5);
-    if (parts > 0) add_leaf(out, surface, piece, as, static_cast<float>(parts * part / (after - before)));
+    const double for_others = parts * part / (after - before);
+    if (parts > 0)
+      add_leaf(out, surface, piece, as,
+               static_cast<float>(std::max(cover * for_others, std::min(for_others, 1.0))));
     before = after;
   }
   return out;

@@ -33,9 +33,9 @@ enum class FarLeaf { diamond, triangle };
 
 /// Each connected piece as a far leaf of the same length, area and orientation. A round body becomes a leaf
 /// of the same projected area. `uv` are taken at the corners. With `stride` n, one of some n pieces
-/// represents them, scaled about its foot to their area.
+/// represents them, scaled about its foot to their area, or to the share `cover` of it where it is smaller.
 Surface far_leaves(const Surface& surface, const Pieces& pieces, int stride = 1,
-                   FarLeaf as = FarLeaf::diamond);
+                   FarLeaf as = FarLeaf::diamond, double cover = 1);
 
 /// The whole surface as one far leaf, with the `uv` of the middle of its largest piece.
 Surface one_far_leaf(const Surface& surface, const Pieces& pieces, FarLeaf as = FarLeaf::diamond);

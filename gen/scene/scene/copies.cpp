@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -31,8 +32,6 @@ Seed copy_seed(const Organism& organism, int which) {
   auto index = static_cast<std::size_t>(which);
   return Seed{index < seeds.size() ? static_cast<std::uint64_t>(seeds[index]) : index + 1};
 }
-
-bool is_fruit(const Prototype& organ) { return organ.name == kFruit || organ.name == kFruitStalk; }
 
 /// Branches of a coral as tubes with rounded ends; u of their `uv` is how young they are, 1 at tips.
 Surface skin_tubes(Skeleton bones, float grain, double young_length) {
@@ -274,15 +273,18 @@ std::vector<CopyPart> copy_parts(const Look& look, const Model& model, const Cop
         add(CopyPart::Kind::wood, k++, 0, std::move(bark));
     }
   }
-  // Fruit takes nothing from the leaves, and a small share beside them.
-  constexpr double kOfFruit = 8;
+  // Fruit takes nothing from the leaves, and a small share beside them; others as their area says, and what
+  // comes in its season only or is small a little.
+  constexpr double kOfFruit = 8, kLeastShare = 0.1;
   CopyDetail each = detail, fruit = detail;
-  std::size_t shapes = 0;
-  for (const Prototype& prototype : model.prototypes)
-    if (!is_fruit(prototype)) shapes += prototype.parts.size();
-  each.leaves /= static_cast<double>(std::max<std::size_t>(1, shapes));
   fruit.leaves /= kOfFruit, fruit.solid = true;
+  const std::vector<double> areas = organ_areas(model);
+  const double area = std::reduce(areas.begin(), areas.end());
+  each.cover = hiding_share(model, area);
   for (std::size_t p = 0; p < model.prototypes.size(); ++p) {
+    const double share = std::max(kLeastShare, area > 0 ? areas[p] / area : 0);
+    each.leaves = detail.leaves * share /
+                  static_cast<double>(std::max<std::size_t>(1, model.prototypes[p].parts.size()));
     std::vector<CopyPart> merged =
         merged_organs(model, p, is_fruit(model.prototypes[p]) ? fruit : each, blocks, now);
     for (std::size_t k = 0; k < merged.size(); ++k)

@@ -89,6 +89,7 @@ struct CopyDetail {
   double leaves = 4e5;   ///< triangles of leaves at most, about: more become fewer and larger ones
   bool plain = false;    ///< leaves are single triangles, too small to have any `uv` but of pictures
   bool solid = false;    ///< they are bodies, as fruit is, rather than leaves
+  double cover = 1;      ///< share of the area of all leaves that those which are left have at least
 };
 
 inline constexpr int kLevelCount = 6;

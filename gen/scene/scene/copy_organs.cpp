@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "appearance/fruiting.h"
+#include "core/bounds.h"
 #include "geometry/far.h"
 
 namespace frond {
@@ -50,12 +52,13 @@ FarShape far_shape(const Surface& own, Vec3 ratio, double size, double count, co
     far.pieces = pieces_of(far.surface);
     return far;
   }
-  auto crowded = static_cast<int>(std::min(std::ceil(count * 2 * far.pieces.count / detail.leaves), 1e6));
+  const double each = as == FarLeaf::triangle ? 1 : 2;  // triangles
+  auto crowded = static_cast<int>(std::min(std::ceil(count * each * far.pieces.count / detail.leaves), 1e6));
   int stride = std::max(stride_of(piece), crowded);
   // Pieces stand for each other as far as there are some; then whole organs do.
   auto pieces = static_cast<int>(far.pieces.count);
   if (pieces > 1 && 2 * stride <= pieces) {
-    far.surface = far_leaves(shape, far.pieces, stride, as);
+    far.surface = far_leaves(shape, far.pieces, stride, as, detail.cover);
   } else {
     far.surface = one_far_leaf(shape, far.pieces, as);
     far.stride = stride_of(size * extent(shape, 1) / detail.grain), far.crowd = crowded / pieces;
@@ -91,15 +94,16 @@ std::vector<std::size_t> chosen(const Model& model, std::size_t which, int strid
   return list;
 }
 
-/// How many times larger those that are left are, so that they have the area of all in full leaf.
-float larger_by(const Model& model, std::size_t which, int stride) {
+/// How many times larger those that are left are, so that they have that share of the area of all in full
+/// leaf.
+float larger_by(const Model& model, std::size_t which, int stride, double cover) {
   const Organs& all = model.organs;
   auto area_of = [&](std::size_t i) { return static_cast<double>(glm::dot(all.scale[i], all.scale[i])); };
   double whole = 0, left = 0;
   for (std::size_t i = 0; i < all.size(); ++i)
     if (all.prototype[i] == which) whole += area_of(i);
   for (std::size_t i : chosen(model, which, stride, nullptr)) left += area_of(i);
-  return static_cast<float>(std::sqrt(left > 0 ? whole / left : stride));
+  return static_cast<float>(std::sqrt(std::max(1.0, cover * (left > 0 ? whole / left : stride))));
 }
 
 /// Adds organs of the model, or of what there is `now`, each `larger` than it is.
@@ -130,6 +134,35 @@ void merge(CopyPart& part, const Model& model, std::size_t which, const FarShape
 }
 
 }  // namespace
+
+bool is_fruit(const Prototype& organ) { return organ.name == kFruit || organ.name == kFruitStalk; }
+
+std::vector<double> organ_areas(const Model& model) {
+  std::vector<double> each, areas;
+  for (const Prototype& prototype : model.prototypes) {
+    double& of = each.emplace_back(0);
+    for (const OrganPart& part : prototype.parts)
+      if (part.tissue != Tissue::dew && !is_fruit(prototype)) of += area(part.surface);
+  }
+  areas.resize(each.size());
+  const Organs& o = model.organs;
+  for (std::size_t i = 0; i < o.size(); ++i) {
+    // A shape that is stretched along its axes, seen from all sides.
+    const Vec3 s = o.scale[i];
+    areas[o.prototype[i]] += each[o.prototype[i]] * (s.x * s.y + s.y * s.z + s.z * s.x) / 3;
+  }
+  return areas;
+}
+
+double hiding_share(const Model& model, double area) {
+  constexpr double kHidden = 8;  // silhouettes
+  if (!(area > 0)) return 1;
+  const Bounds box = bounds_of(model.organs.position);
+  const Vec3 s = box.high - box.low;
+  // The mean silhouette of a convex body is a quarter of its surface (Cauchy); of an ellipsoid in the box.
+  const double silhouette = kPi / 4 * (s.x * s.y + s.y * s.z + s.z * s.x) / 2;
+  return std::min(1.0, kHidden * silhouette / area);
+}
 
 std::vector<CopyPart> merged_organs(const Model& model, std::size_t which, const CopyDetail& detail,
                                     const ModelBlocks* blocks, const Organs* now) {
@@ -163,7 +196,7 @@ std::vector<CopyPart> merged_organs(const Model& model, std::size_t which, const
   }
   stride = std::min(std::max(stride, crowd), count);  // one is left at least
   const std::vector<std::size_t> list = chosen(model, which, stride, now);
-  const float larger = stride > 1 ? larger_by(model, which, stride) : 1;
+  const float larger = stride > 1 ? larger_by(model, which, stride, detail.cover) : 1;
   for (std::size_t k = 0; k < parts.size(); ++k)
     if (prototype.parts[k].tissue != Tissue::dew)
       merge(parts[k], model, which, shapes[k], list, larger, blocks, now);
