@@ -142,7 +142,8 @@ std::vector<double> organ_areas(const Model& model) {
   for (const Prototype& prototype : model.prototypes) {
     double& of = each.emplace_back(0);
     for (const OrganPart& part : prototype.parts)
-      if (part.tissue != Tissue::dew && !is_fruit(prototype)) of += area(part.surface);
+      if (part.tissue != Tissue::dew && !is_fruit(prototype))
+        of += area(far_leaves(part.surface, pieces_of(part.surface)));
   }
   areas.resize(each.size());
   const Organs& o = model.organs;
@@ -155,9 +156,20 @@ std::vector<double> organ_areas(const Model& model) {
 }
 
 double hiding_share(const Model& model, double area) {
-  constexpr double kHidden = 8;  // silhouettes
+  constexpr double kHidden = 10;  // silhouettes
   if (!(area > 0)) return 1;
-  const Bounds box = bounds_of(model.organs.position);
+  std::vector<Bounds> shapes(model.prototypes.size());
+  for (std::size_t p = 0; p < shapes.size(); ++p)
+    for (const OrganPart& part : model.prototypes[p].parts)
+      for (const Vec3& at : part.surface.position) shapes[p].extend(at);
+  Bounds box;
+  const Organs& o = model.organs;
+  for (std::size_t i = 0; i < o.size(); ++i)
+    for (int corner = 0; corner < 8; ++corner) {
+      const auto& [low, high] = shapes[o.prototype[i]];
+      const Vec3 at(corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z);
+      box.extend(o.position[i] + o.turn[i] * (o.scale[i] * at));
+    }
   const Vec3 s = box.high - box.low;
   // The mean silhouette of a convex body is a quarter of its surface (Cauchy); of an ellipsoid in the box.
   const double silhouette = kPi / 4 * (s.x * s.y + s.y * s.z + s.z * s.x) / 2;
