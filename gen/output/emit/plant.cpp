@@ -22,6 +22,9 @@ std::string organ_name(std::size_t entry, std::size_t prototype, std::size_t par
   return fmt::format("Organ{}_{}_{}", entry, prototype, part);
 }
 
+/// What is clear at its rims is hollow, since POV-Ray has no fog within what is not.
+constexpr std::string_view kHollow = " hollow";
+
 /// The texture of a leaf that shows the picture `name`.
 std::string picture_look(std::string_view name, std::size_t shade, const std::optional<Luster>& luster) {
   if (luster && luster->yellow > 0) {
@@ -29,9 +32,9 @@ std::string picture_look(std::string_view name, std::size_t shade, const std::op
       return fmt::format("Tree_Lit(\"{}\",{},{:.4g},{:.4g},{:.4g},{:.4g})", name, shade, luster->through,
                          luster->yellow, gloss, luster->relief);
     };
-    return "texture{" + side(luster->gloss) + "}interior_texture{" + side(0) + '}';
+    return fmt::format("texture{{{}}}interior_texture{{{}}}{}", side(luster->gloss), side(0), kHollow);
   }
-  return lustrous(fmt::format("Tree_Leaf(\"{}\",{})", name, shade), luster, "Tree_Veined", name);
+  return lustrous(fmt::format("Tree_Leaf(\"{}\",{})", name, shade), luster, "Tree_Veined", name).append(kHollow);
 }
 
 /// Writes a group of organs, each line made once and used by all parts. Gives the number of objects.
