@@ -84,6 +84,24 @@ void add_side_fin(Surface& mesh, const FishForm& form, const SideFin& fin, doubl
   add_sheet(mesh, 5, 2, at, [&](double t, double r) { return fish_uv(0.35 + 0.1 * t, 0.5 + 0.03 * r); });
 }
 
+/// Those of a shark are stiff wings: swept back, tapered, held out and a little down; the hind ones small.
+void add_wing(Surface& mesh, const FishForm& form, bool hind, double side) {
+  constexpr double kRoot = 0.24, kHindRoot = 0.56;  // of the fish's length, from its nose
+  constexpr double kChord = 0.5, kTaper = 0.8;      // of the span, at the root; by how much less at the tip
+  constexpr double kSweep = 0.55, kDown = 0.45;     // of the span; radians below level
+  constexpr double kHind = 0.42;                    // of the fore ones' span
+  const double from = hind ? kHindRoot : kRoot, span = (hind ? kHind : 1) * form.pectoral;
+  const double half = fish_depth(form, from / kFishBody), down = kDown * form.spread;
+  auto at = [=](double t, double r) {
+    // Its hind edge is hollow, its tip round.
+    double chord = kChord * span * (1 - kTaper * std::pow(r, 0.8)) * std::sqrt(1 - 0.98 * std::pow(r, 8));
+    return swimmer_place(from + kSweep * span * std::pow(r, 1.15) + chord * t,
+                         -0.55 * half - span * r * std::sin(down),
+                         side * (0.55 * half * form.width + span * r * std::cos(down)));
+  };
+  add_sheet(mesh, 5, 6, at, [&](double t, double r) { return fish_uv(0.35 + 0.1 * t, 0.5 + 0.03 * r); });
+}
+
 void add_fins(Surface& mesh, const FishForm& form) {
   constexpr double kTailRoot = 0.9, kTailOpens = 0.8;  // of the body's depth; power of the way back
   constexpr double kTrails = 0.06;  // of the fish's length, by which a fin's hind corner lies behind its root
@@ -113,9 +131,14 @@ void add_fins(Surface& mesh, const FishForm& form) {
       [&](double t, double r) { return fish_uv(tail(t, r).first, tail(t, r).second); });
   if (form.dorsal > 0) tall(1, form.dorsal_from, form.dorsal_to, dorsal_height);
   if (form.anal > 0) tall(-1, kAnalBegin, kAnalEnd, anal_height);
-  if (form.pectoral > 0)
-    for (double side : {-1.0, 1.0})
+  if (form.pectoral <= 0) return;
+  for (double side : {-1.0, 1.0}) {
+    if (form.tail == TailShape::shark) {
+      for (bool hind : {false, true}) add_wing(mesh, form, hind, side);
+    } else {
       for (const SideFin& fin : {kPectoral, kPelvic}) add_side_fin(mesh, form, fin, side);
+    }
+  }
 }
 
 /// Bends the fish aside: a wave that runs down its body and grows toward the tail (Videler 1993), and a bow.
