@@ -90,9 +90,9 @@ std::string look_of(const CopyPart& part, const Look& look, const Model& model, 
       std::string text = "#local F = " + array_of("Picture", organ.pictures) + "; ";
       Luster luster = prototype.luster.value_or(Luster{.gloss = 0.13});
       std::string how = fmt::format("{:.4g},{:.4g}", luster.through, luster.gloss);
-      if (!is_lit(prototype.luster)) return text + "texture{Copy_Picture(F,T," + how + ")} hollow";
+      if (!is_lit(prototype.luster)) return text + "texture{Copy_Picture(F,T," + how + ")} hollow ";
       return text + "#local H = " + array_of("Half", organ.pictures) + "; " +
-             fmt::format("texture{{Copy_Lit(F,H,T,{},{:.4g})}} hollow", how, luster.yellow);
+             fmt::format("texture{{Copy_Lit(F,H,T,{},{:.4g})}} hollow ", how, luster.yellow);
     }
     case CopyPart::Kind::solid:
       return material_text(model.solids.shapes[part.which].material);

@@ -23,7 +23,7 @@ std::string organ_name(std::size_t entry, std::size_t prototype, std::size_t par
 }
 
 /// What is clear at its rims is hollow, since POV-Ray has no fog within what is not.
-constexpr std::string_view kHollow = " hollow";
+constexpr std::string_view kHollow = " hollow ";
 
 /// The texture of a leaf that shows the picture `name`.
 std::string picture_look(std::string_view name, std::size_t shade, const std::optional<Luster>& luster) {

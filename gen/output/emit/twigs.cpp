@@ -23,7 +23,7 @@ std::string twig_name(std::size_t kept, std::size_t part) { return fmt::format("
 /// The textures of leaves of pictures: glossy above, matt below where they have a luster of their own;
 /// hollow, since POV-Ray has no fog within what is not.
 std::string picture_text(const std::optional<Luster>& luster) {
-  if (!luster) return "texture{Twig_Picture(Twig_Pictures,0.62,0.34,0.13)} hollow";
+  if (!luster) return "texture{Twig_Picture(Twig_Pictures,0.62,0.34,0.13)} hollow ";
   auto side = [&](double gloss) {
     if (is_lit(luster))
       return fmt::format("Twig_Lit(Twig_Pictures,Twig_Halves,{:.4g},{:.4g},{:.4g})", luster->through,
@@ -31,7 +31,7 @@ std::string picture_text(const std::optional<Luster>& luster) {
     return fmt::format("Twig_Picture(Twig_Pictures,{:.4g},{:.4g},{:.4g})", 0.94 * (1 - luster->through),
                        0.94 * luster->through, gloss);
   };
-  return "texture{" + side(luster->gloss) + "}interior_texture{" + side(0) + "} hollow";
+  return "texture{" + side(luster->gloss) + "}interior_texture{" + side(0) + "} hollow ";
 }
 
 /// What is declared for a look and its textures.

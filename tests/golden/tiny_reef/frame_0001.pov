@@ -182,9 +182,9 @@ object{Stone4 scale<0.1,0.09043,0.08753>rotate y*-104.099 translate<2,0.4918,0> 
 // fish
 object{
 object{Organ2_14_0 matrix<-0.008,-0.006,0.072,-0.073,0.001,-0.008,0,-0.073,-0.006,2.47,5.26,-1.47>}
-texture{Tree_Leaf("fish_HASH.png",2) Plant_Luster(0.12,0.45) Tree_Veined("fish_HASH.png",0.15)}interior_texture{Tree_Leaf("fish_HASH.png",2) Plant_Luster(0.12,0) Tree_Veined("fish_HASH.png",0.15)} hollow}
+texture{Tree_Leaf("fish_HASH.png",2) Plant_Luster(0.12,0.45) Tree_Veined("fish_HASH.png",0.15)}interior_texture{Tree_Leaf("fish_HASH.png",2) Plant_Luster(0.12,0) Tree_Veined("fish_HASH.png",0.15)} hollow }
 object{
 object{Organ2_15_0 matrix<0.003,0,0.077,-0.077,0.004,0.003,-0.004,-0.077,0,0.7,4.52,-3.4>}
-texture{Tree_Leaf("fish_HASH.png",2) Plant_Luster(0.12,0.45) Tree_Veined("fish_HASH.png",0.15)}interior_texture{Tree_Leaf("fish_HASH.png",2) Plant_Luster(0.12,0) Tree_Veined("fish_HASH.png",0.15)} hollow}
+texture{Tree_Leaf("fish_HASH.png",2) Plant_Luster(0.12,0.45) Tree_Veined("fish_HASH.png",0.15)}interior_texture{Tree_Leaf("fish_HASH.png",2) Plant_Luster(0.12,0) Tree_Veined("fish_HASH.png",0.15)} hollow }
 
 

@@ -210,9 +210,9 @@ face_indices{74       ,<0,2,1>,<3,5,4>,<6,8,7>,<9,1,2>,<10,11,2>,<12,8,13>,<12,1
 // fish
 object{
 object{Organ2_8_0 matrix<0.019,-0.004,0.07,-0.071,0,0.019,-0.001,-0.073,-0.004,1.48,5.11,-1.64>}
-texture{Tree_Leaf("fish_HASH.png",2) Plant_Luster(0.12,0.45) Tree_Veined("fish_HASH.png",0.15)}interior_texture{Tree_Leaf("fish_HASH.png",2) Plant_Luster(0.12,0) Tree_Veined("fish_HASH.png",0.15)} hollow}
+texture{Tree_Leaf("fish_HASH.png",2) Plant_Luster(0.12,0.45) Tree_Veined("fish_HASH.png",0.15)}interior_texture{Tree_Leaf("fish_HASH.png",2) Plant_Luster(0.12,0) Tree_Veined("fish_HASH.png",0.15)} hollow }
 object{
 object{Organ2_9_0 matrix<0.02,-0.008,0.074,-0.074,0.005,0.02,-0.007,-0.076,-0.006,-0.25,4.64,-3.47>}
-texture{Tree_Leaf("fish_HASH.png",2) Plant_Luster(0.12,0.45) Tree_Veined("fish_HASH.png",0.15)}interior_texture{Tree_Leaf("fish_HASH.png",2) Plant_Luster(0.12,0) Tree_Veined("fish_HASH.png",0.15)} hollow}
+texture{Tree_Leaf("fish_HASH.png",2) Plant_Luster(0.12,0.45) Tree_Veined("fish_HASH.png",0.15)}interior_texture{Tree_Leaf("fish_HASH.png",2) Plant_Luster(0.12,0) Tree_Veined("fish_HASH.png",0.15)} hollow }
 
 

@@ -206,9 +206,9 @@ face_indices{74       ,<0,2,1>,<3,5,4>,<6,8,7>,<9,1,2>,<10,11,2>,<12,8,13>,<12,1
 // fish
 object{
 object{Organ2_12_0 matrix<0.037,0.01,0.062,-0.063,0,0.037,0.005,-0.072,0.009,1.88,5.08,-1.09>}
-texture{Tree_Leaf("fish_HASH.png",2) Plant_Luster(0.12,0.45) Tree_Veined("fish_HASH.png",0.15)}interior_texture{Tree_Leaf("fish_HASH.png",2) Plant_Luster(0.12,0) Tree_Veined("fish_HASH.png",0.15)} hollow}
+texture{Tree_Leaf("fish_HASH.png",2) Plant_Luster(0.12,0.45) Tree_Veined("fish_HASH.png",0.15)}interior_texture{Tree_Leaf("fish_HASH.png",2) Plant_Luster(0.12,0) Tree_Veined("fish_HASH.png",0.15)} hollow }
 object{
 object{Organ2_13_0 matrix<0.016,0.008,0.075,-0.073,-0.015,0.017,0.016,-0.075,0.004,0.26,4.55,-3.09>}
-texture{Tree_Leaf("fish_HASH.png",2) Plant_Luster(0.12,0.45) Tree_Veined("fish_HASH.png",0.15)}interior_texture{Tree_Leaf("fish_HASH.png",2) Plant_Luster(0.12,0) Tree_Veined("fish_HASH.png",0.15)} hollow}
+texture{Tree_Leaf("fish_HASH.png",2) Plant_Luster(0.12,0.45) Tree_Veined("fish_HASH.png",0.15)}interior_texture{Tree_Leaf("fish_HASH.png",2) Plant_Luster(0.12,0) Tree_Veined("fish_HASH.png",0.15)} hollow }
 
 
