@@ -48,6 +48,39 @@ Scene fitting(const std::string& camera, const std::string& size) {
                                    "test.json", {}));
 }
 
+TEST(Camera, ComesCloseToAPart) {
+  auto scene_of = [](const std::string& part) {
+    return *build_scene(*read_preset(
+        R"({"film": {"frames": 1}, "taxon": {"latin": "X", "leaf": {"organ": "L", "size": [0.1, 0.2]}},
+        "scene": {"setting": "studio", "camera": {"location": [0, 1.5, 9], "look_at": [0, 1, 0], "fit": ["bush"], "part": ")" +
+            part + R"("}},
+        "organisms": [{"kind": "plant", "name": "bush", "height": 1, "place": {"at": [[0, 0]]},
+          "grammar": {"axiom": "A", "steps": 4, "angle": 28, "rules": ["A -> F[+A~L][-A~L]&A"]},
+          "organs": [{"symbol": "L", "shape": "leaf", "size": 0.15}]}]
+})",
+        "test.json", {}));
+  };
+  for (const char* part : {"leaf", "L"}) {
+    Scene scene = scene_of(part);
+    Lens lens = lens_at(scene.setup.camera, 0, scene.film.aspect());
+    const Organs& organs = scene.specimens.at(0).model.organs;
+    ASSERT_GT(organs.size(), 4u);
+    bool shown = false;
+    for (const Vec3& at : organs.position) {
+      Vec3 seen = lens.seen(at);
+      shown = shown || (seen.z > 0 && seen.z < 2 && std::abs(seen.x) < 0.6f && std::abs(seen.y) < 0.6f);
+    }
+    EXPECT_TRUE(shown) << part;
+    EXPECT_LT(glm::distance(scene.setup.camera.location.at(0), scene.setup.camera.look_at.at(0)), 1);
+    EXPECT_TRUE(scene.notes.empty());
+  }
+  Scene none = scene_of("fruit");
+  ASSERT_EQ(none.notes.size(), 1u);
+  EXPECT_NE(none.notes[0].find("there is no \"fruit\" to come close to; organs here are L"),
+            std::string::npos)
+      << none.notes[0];
+}
+
 TEST(Camera, FitsWhatIsNamedIntoAPictureOfAnyShape) {
   for (const char* size : {"[640, 360]", "[360, 640]", "[900, 100]"})
     for (const char* way : {R"("location": [0, 1.7, 9], "look_at": [0, 1.2, 0])",

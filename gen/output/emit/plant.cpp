@@ -34,7 +34,8 @@ std::string picture_look(std::string_view name, std::size_t shade, const std::op
     };
     return fmt::format("texture{{{}}}interior_texture{{{}}}{}", side(luster->gloss), side(0), kHollow);
   }
-  return lustrous(fmt::format("Tree_Leaf(\"{}\",{})", name, shade), luster, "Tree_Veined", name).append(kHollow);
+  return lustrous(fmt::format("Tree_Leaf(\"{}\",{})", name, shade), luster, "Tree_Veined", name)
+      .append(kHollow);
 }
 
 /// Writes a group of organs, each line made once and used by all parts. Gives the number of objects.

@@ -5,6 +5,9 @@
 #include <limits>
 #include <set>
 
+#include "core/bounds.h"
+#include "scene/copies.h"
+
 namespace frond {
 
 namespace {
@@ -183,6 +186,16 @@ View composed(const Composition& c, Vec3 toward, const std::vector<Vec3>& points
   return view(down);
 }
 
+/// The specimens of entries of these names, or all.
+std::vector<const Specimen*> named(const Scene& scene, const std::vector<std::string>& names) {
+  std::set<std::string_view> wanted(names.begin(), names.end());
+  std::vector<const Specimen*> list;
+  for (const Specimen& s : scene.specimens)
+    if (s.entry != Traits::kNoEntry && (wanted.contains(kFitAll) || wanted.contains(s.name)))
+      list.push_back(&s);
+  return list;
+}
+
 }  // namespace
 
 std::vector<Vec3> outside_of(const Model& model) {
@@ -195,8 +208,7 @@ std::vector<Vec3> outside_of(const Scene& scene, const std::vector<std::string>&
   std::set<std::string_view> wanted(names.begin(), names.end());
   bool all = wanted.contains(kFitAll);
   Outside outside;
-  for (const Specimen& s : scene.specimens)
-    if (s.entry != Traits::kNoEntry && (all || wanted.contains(s.name))) add(outside, s.model);
+  for (const Specimen* s : named(scene, names)) add(outside, s->model);
   for (const CopySet& set : scene.copy_sets) {
     if (!all && !wanted.contains(set.organism.name)) continue;
     for (std::size_t i = 0; i < set.copies.size(); ++i) {
@@ -207,6 +219,76 @@ std::vector<Vec3> outside_of(const Scene& scene, const std::vector<std::string>&
     }
   }
   return outside.points();
+}
+
+std::vector<std::string> organ_names(const Scene& scene, const std::vector<std::string>& names) {
+  std::set<std::string> all;
+  for (const Specimen* s : named(scene, names))
+    for (std::uint16_t which : s->model.organs.prototype) all.insert(s->model.prototypes[which].name);
+  return {all.begin(), all.end()};
+}
+
+namespace {
+
+/// Of the organs of one name the one that shows best from an eye: of the large ones the nearest.
+class BestOrgan {
+ public:
+  BestOrgan(std::string_view name, Vec3 eye) : name_(name), eye_(eye) {}
+
+  /// Those of a model that stands there.
+  void add(const Model& m, Vec3 foot, Quat turn, float scale) {
+    constexpr float kLarge = 0.75f;  // of the largest
+    const Organs& o = m.organs;
+    auto is_one = [&](std::size_t i) { return m.prototypes[o.prototype[i]].name == name_; };
+    float largest = 0;
+    for (std::size_t i = 0; i < o.size(); ++i)
+      if (is_one(i)) largest = std::max(largest, glm::length(o.scale[i]));
+    for (std::size_t i = 0; i < o.size(); ++i) {
+      const float away = glm::distance(foot + turn * (scale * o.position[i]), eye_);
+      if (!is_one(i) || glm::length(o.scale[i]) < kLarge * largest || away >= nearest_) continue;
+      nearest_ = away;
+      points_ = corners_of(m.prototypes[o.prototype[i]]);
+      for (Vec3& p : points_) p = foot + turn * (scale * (o.position[i] + o.turn[i] * (o.scale[i] * p)));
+    }
+  }
+
+  /// Points on its outside, with as much room round it as it is wide.
+  std::vector<Vec3> points() const {
+    std::vector<Vec3> wider = points_;
+    const Vec3 middle = bounds_of(points_).middle();
+    for (Vec3& p : wider) p += p - middle;
+    return wider;
+  }
+
+ private:
+  std::string_view name_;
+  Vec3 eye_;
+  std::vector<Vec3> points_;
+  float nearest_ = std::numeric_limits<float>::infinity();
+};
+
+}  // namespace
+
+std::vector<Vec3> outside_of_part(const Scene& scene, const std::vector<std::string>& names,
+                                  std::string_view part) {
+  const Vec3 eye = scene.setup.camera.location.at(0);
+  BestOrgan best(part, eye);
+  for (const Specimen* grown : named(scene, names)) {
+    const auto now = developed(*grown, 0);
+    best.add(now ? (*now)->model : grown->model, Vec3(0), Quat(1, 0, 0, 0), 1);
+  }
+  for (const CopySet& set : scene.copy_sets) {
+    const Copies& copies = set.copies;
+    const bool wanted = std::ranges::any_of(
+        names, [&](const std::string& name) { return name == kFitAll || name == set.organism.name; });
+    if (copies.size() == 0 || !wanted) continue;
+    std::size_t near = 0;
+    for (std::size_t i = 1; i < copies.size(); ++i)
+      if (glm::distance(copies.foot[i], eye) < glm::distance(copies.foot[near], eye)) near = i;
+    if (Result<Model> model = grow_copy(set.organism, copies.model[near]))
+      best.add(*model, copies.foot[near], copies.turn[near], copies.scale[near]);
+  }
+  return best.points();
 }
 
 Camera fitted(const Camera& camera, const std::vector<Vec3>& points, double aspect, const Heights& heights,
@@ -241,6 +323,11 @@ Camera fitted(const Camera& camera, const std::vector<Vec3>& points, double aspe
   }
   Camera moved = camera;
   moved.compose.reset();
+  if (!camera.part.empty()) {
+    constexpr double kCloseUp = 11;  // f-number, as one stops down for a flower
+    moved.focus.reset();
+    if (moved.aperture) moved.aperture = std::max(*moved.aperture, kCloseUp);
+  }
   moved.location = Animated<Vec3>(std::move(location));
   moved.look_at = Animated<Vec3>(std::move(look_at));
   return moved;

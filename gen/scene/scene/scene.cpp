@@ -1,6 +1,7 @@
 #include "scene/scene.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cassert>
@@ -131,6 +132,36 @@ Result<CacheUse> grow_in(World& world, const Preset& preset, const std::vector<B
 Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, SpecimenCache* cache,
                         const EntryFilter& only);
 
+/// The names that the organ may have which a part of the camera's subjects is.
+std::vector<std::string> organs_of(const Preset& preset) {
+  const std::string& part = preset.setup.camera.part;
+  std::vector<std::string> names;
+  auto add = [&](std::string_view what, const std::optional<TaxonPart>& is, std::string_view of_trees) {
+    if (part != what) return;
+    if (is && !is->organ.empty()) names.push_back(is->organ);
+    names.emplace_back(of_trees);
+  };
+  const Taxon known = preset.taxon.value_or(Taxon{});
+  add("leaf", known.leaf, "sprig"), add("flower", known.flower, "blossom"),
+      add("fruit", known.fruit, "fruit");
+  names.push_back(part);
+  return names;
+}
+
+/// Points on the outside of what the camera is moved to show.
+std::vector<Vec3> shown_of(Scene& scene, const Preset& preset) {
+  const std::vector<std::string> subjects = preset.setup.camera.subjects();
+  const std::string& part = preset.setup.camera.part;
+  if (part.empty()) return outside_of(scene, subjects);
+  for (const std::string& organ : organs_of(preset))
+    if (std::vector<Vec3> points = outside_of_part(scene, subjects, organ); !points.empty()) return points;
+  scene.notes.push_back(fault_at(preset, "/scene/camera/part",
+                                 fmt::format("there is no \"{}\" to come close to; organs here are {}", part,
+                                             fmt::join(organ_names(scene, subjects), ", ")))
+                            .text());
+  return outside_of(scene, subjects);
+}
+
 /// The scene once more, for a camera that has stepped back. `before`: entries that grew the first time.
 Result<Scene> build_wider(const Preset& preset, Camera camera, std::vector<std::size_t> before,
                           const ProgressSink& watch, SpecimenCache* cache, const EntryFilter& only) {
@@ -190,7 +221,7 @@ Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, Specime
   if (preset.film.frames > 1) feed(scene.specimens, preset.film.length());
   add_wind(scene, preset);
   if (!subjects.empty() && scene.missing.empty()) {
-    Camera moved = fitted(scene.setup.camera, outside_of(scene, subjects), preset.film.aspect(),
+    Camera moved = fitted(scene.setup.camera, shown_of(scene, preset), preset.film.aspect(),
                           ground->heights(), daylight_of(setup_at(scene.setup, 0)).sun);
     // Land is laid as far as the camera goes: where it has to step back from all that, once more with that in
     // mind.

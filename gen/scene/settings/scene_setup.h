@@ -121,6 +121,7 @@ struct Camera {
   std::optional<CameraMove> move;      ///< until the preset is read: it is keyframes then
   bool follow = false;                 ///< heights are relative to the ground below, not to y = 0
   std::vector<std::string> fit;        ///< names of organisms that the camera is moved to show completely
+  std::string part;                    ///< of these: the name of an organ, one of which it comes close to
   double margin = 0.06;                ///< free margin at each edge, as a share of the picture's sides
   std::optional<Composition> compose;  ///< until the scene is built, as `fit`
   double exposure = 0;                 ///< stops above the metered exposure
@@ -135,7 +136,7 @@ struct Camera {
 
   /// The organisms that decide where it stands; empty: it stands where it is put.
   std::vector<std::string> subjects() const {
-    return fit.empty() && compose ? std::vector<std::string>{std::string(kFitAll)} : fit;
+    return fit.empty() && (compose || !part.empty()) ? std::vector<std::string>{std::string(kFitAll)} : fit;
   }
   /// Stops above the metered exposure, as POV-Ray draws it.
   double stops() const { return exposure - highlights; }
