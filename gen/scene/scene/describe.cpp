@@ -129,7 +129,8 @@ void describe(Properties& v, Camera& c) {
          "Names of organisms, or \"all\": the camera goes on looking the same way and moves to where these "
          "fill the picture, grown, whatever its shape");
   v.text("part", c.part,
-         "What of those it comes close to: the name of an organ, one of which it shows, or the `leaf`, the "
+         "What of those, or of the first organism, it comes close to: the name of an organ, one of which it "
+         "shows, or the `leaf`, the "
          "`flower` or the `fruit` of a species; in focus, at f/11 or less light");
   v.number("margin", c.margin, {.min = 0, .max = 0.45},
            "Share of the picture's width and height that `fit` leaves free at each edge");

@@ -150,9 +150,10 @@ std::vector<std::string> organs_of(const Preset& preset) {
 
 /// Points on the outside of what the camera is moved to show.
 std::vector<Vec3> shown_of(Scene& scene, const Preset& preset) {
-  const std::vector<std::string> subjects = preset.setup.camera.subjects();
   const std::string& part = preset.setup.camera.part;
+  std::vector<std::string> subjects = preset.setup.camera.subjects();
   if (part.empty()) return outside_of(scene, subjects);
+  if (preset.setup.camera.fit.empty() && !preset.organisms.empty()) subjects = {preset.organisms[0].name};
   for (const std::string& organ : organs_of(preset))
     if (std::vector<Vec3> points = outside_of_part(scene, subjects, organ); !points.empty()) return points;
   scene.notes.push_back(fault_at(preset, "/scene/camera/part",
