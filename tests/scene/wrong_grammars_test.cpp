@@ -66,8 +66,8 @@ const WrongPreset kWrongGrammars[] = {
     {"Flowers without their diagram, with what does not go together, and of no organ",
      R"({"organisms": [
   {"kind": "plant", "grammar": {"axiom": "F~W"}, "organs": [{"symbol": "W", "shape": "diagram"}]},
-  {"kind": "plant", "grammar": {"axiom": "F~W"}, "organs": [{"symbol": "W", "shape": "diagram", "diagram": [
-    {"part": "petals", "tube": [[0, 0.1], [1, 0.2]]}]}]},
+  {"kind": "plant", "grammar": {"axiom": "F~W"}, "organs": [{"symbol": "W", "shape": "diagram", "diagram": {"whorls": [
+    {"part": "petals", "tube": [[0, 0.1], [1, 0.2]]}]}}]},
   {"kind": "plant", "grammar": {"axiom": "F~I"}, "organs": [{"symbol": "I", "shape": "inflorescence",
     "inflorescence": {"type": "raceme",
       "flower": "W"}}]}]})",
