@@ -215,7 +215,7 @@ before a camera that frames them. In a preset:
     {"species": "lavender", "count": 30, "place": {"radius": 2}}
     {"species": "wheat", "count": 20000, "sown": {"models": 6, "where": {"radius": 0.03}}}
 
-All that a species says of how it grows and looks may be given anew there. `taxon` in its preset has the names, the usual
+All that a species says of how it grows and looks may be given anew there; its flowers are told in [flowers](flowers.md). `taxon` in its preset has the names, the usual
 sizes of the plant, its leaves, flowers and fruit, the months of both, and where these figures come from. A test grows one
 plant of each and holds it to them.
 

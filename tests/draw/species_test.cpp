@@ -42,7 +42,7 @@ Alone alone(const fs::path& file, int count) {
 }
 
 /// The longest side of the organs of that symbol, metres: that which a quarter exceed, since the young
-/// ones are still small.
+/// ones are still small. Pieces of one flower, which stand in one place, count as their longest.
 double length_of(const Alone& grown, const std::string& symbol) {
   std::vector<double> lengths;
   for (const Specimen& planted : grown.scene.specimens) {
@@ -59,7 +59,14 @@ double length_of(const Alone& grown, const std::string& symbol) {
       std::size_t prototype = organs.prototype[i];
       if (specimen.model.prototypes[prototype].name != symbol) continue;
       Vec3 size = sides[prototype] * organs.scale[i];
-      lengths.push_back(static_cast<double>(std::max({size.x, size.y, size.z})));
+      auto length = static_cast<double>(std::max({size.x, size.y, size.z}));
+      bool piece = i > 0 && organs.id[i] == organs.id[i - 1] &&
+                   organs.position[i] == organs.position[i - 1] &&
+                   specimen.model.prototypes[organs.prototype[i - 1]].name == symbol;
+      if (piece)
+        lengths.back() = std::max(lengths.back(), length);
+      else
+        lengths.push_back(length);
     }
   }
   if (lengths.empty()) return 0;

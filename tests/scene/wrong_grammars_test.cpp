@@ -63,6 +63,18 @@ const WrongPreset kWrongGrammars[] = {
    "grammar": {"axiom": "F"}}]}]})",
      {},
      {"3:15: /organisms/0/organs/0/grammar: needs \"shape\": \"grammar\""}},
+    {"Flowers without their diagram, with what does not go together, and of no organ",
+     R"({"organisms": [
+  {"kind": "plant", "grammar": {"axiom": "F~W"}, "organs": [{"symbol": "W", "shape": "diagram"}]},
+  {"kind": "plant", "grammar": {"axiom": "F~W"}, "organs": [{"symbol": "W", "shape": "diagram", "diagram": {"whorls": [
+    {"part": "petals", "tube": [[0, 0.1], [1, 0.2]]}]}}]},
+  {"kind": "plant", "grammar": {"axiom": "F~I"}, "organs": [{"symbol": "I", "shape": "inflorescence",
+    "inflorescence": {"type": "raceme",
+      "flower": "W"}}]}]})",
+     {},
+     {"2:61: /organisms/0/organs/0/diagram: is missing; the shape \"diagram\" needs it",
+      "4:32: /organisms/1/organs/0/diagram/whorls/0/tube: needs fused above 0",
+      "7:17: /organisms/2/organs/0/inflorescence/flower: found \"W\"; organs has none with that symbol"}},
     {"A wrong grammar of an organ",
      R"({"organisms": [
   {"kind": "plant", "grammar": {"axiom": "F~L"}, "organs": [{"symbol": "L",

@@ -95,6 +95,7 @@ struct Builder {
     else if (symbol.arity >= 1)
       scale = Vec3(static_cast<float>(parameters[0]));
     place(symbol.name, scale, state);
+    if (symbol.arity == 2 || symbol.arity == 4) figure.sites.back().stage = parameters[symbol.arity - 1];
   }
 
   void sign(Act act, std::span<const double> parameters, TurtleState& state) {

@@ -40,6 +40,7 @@ struct Site {
   int color = 0;
   std::int32_t node = Skeleton::kRoot;
   std::uint64_t id = 0;  ///< its number in the figure, or derived from the name of its module
+  double stage = 1;      ///< of a flower: the parameter after the scale, if there is one
 };
 
 /// Everything that a word draws: branches with a colour per node, outlines, organs. A sphere `@O` is an organ

@@ -11,6 +11,8 @@
 #include "organisms/grammar_faults.h"
 #include "organisms/kinds.h"
 #include "organisms/plant/cpfg_plant.h"
+#include "organisms/plant/describe_flower.h"
+#include "organisms/plant/flower_organ.h"
 #include "organisms/plant/organ_mesh.h"
 #include "organisms/plant/organ_prototypes.h"
 #include "organisms/plant/plant.h"
@@ -28,7 +30,10 @@ inline constexpr Choice<OrganShape> kOrganShapes[] = {
     {"sprig", OrganShape::sprig, "a twig with leaves in two rows"},
     {"frond", OrganShape::frond, "a feathered leaf of many leaflets, as of a palm or a fern"},
     {"picture", OrganShape::picture, "a leaf of a known outline, as its picture shows it"},
-    {"grammar", OrganShape::grammar, "what a grammar of its own draws: a stem, leaflets and outlines"}};
+    {"grammar", OrganShape::grammar, "what a grammar of its own draws: a stem, leaflets and outlines"},
+    {"diagram", OrganShape::diagram, "a whole flower by its floral diagram; a second parameter is its stage"},
+    {"inflorescence", OrganShape::inflorescence,
+     "many flowers on their stalks; a second parameter is its stage"}};
 
 inline constexpr Choice<PlantOrigin> kPlantOrigins[] = {
     {"turtle", PlantOrigin::turtle, "where the turtle starts"},
@@ -94,9 +99,21 @@ void describe(Properties& v, OrganParams& o) {
   v.object("grammar", o.grammar,
            "The rules that draw it: each branch of one segment is a leaflet, each outline a blade, all else "
            "its stem, whose longest way becomes size. Needs \"shape\": \"grammar\"");
+  v.object(
+      "diagram", o.diagram,
+      "The flower's whorls, whose lengths are shares of size, or the list of them alone. In the grammar a "
+      "second "
+      "parameter, or a fourth, is its stage: 0 a bud, 1 open, as without it, 2 withered. Needs \"shape\": "
+      "\"diagram\"");
+  v.object("inflorescence", o.inflorescence,
+           "How flowers are borne, on an axis whose length is size; in umbels, corymbs and heads it is the "
+           "stalk. In the grammar a "
+           "second parameter is its stage: 0 all in bud, 1 as stages says, as without it, 2 all gone by. "
+           "Needs \"shape\": "
+           "\"inflorescence\"");
   v.object("luster", o.luster, "How it takes light; without it as is usual for its shape");
   v.number("dew", o.dew, {.min = 0, .max = 60}, "Drops of dew on a square centimetre of its upper side");
-  v.aspect(Aspect::shape, "symbol", "size", "size_variation", "turn_variation");
+  v.aspect(Aspect::shape, "symbol", "size", "size_variation", "turn_variation", "diagram", "inflorescence");
 }
 
 void describe(Properties& v, PlantGrammar& g) {
@@ -162,13 +179,19 @@ void count_organs(const PlantParams& params, Seed seed, SizeEstimate& plant) {
     scale = std::max(1.0, plant.word.segments / std::max(segments, 1.0));
   std::vector<Prototype> prototypes = organ_prototypes(params);
   std::vector<bool> used(prototypes.size());
+  std::size_t bare = figure->skeleton.size();
+  expand_inflorescences(*figure, params, prototypes, seed);
+  plant.nodes += scale * static_cast<double>((figure->skeleton.size() - bare) *
+                                             static_cast<std::size_t>(params.smoothing));
   for (const Site& site : figure->sites) {
     Variants kinds = variants_of(params, site.name);
     if (kinds.first < 0) continue;
-    plant.organs += scale;
-    plant.parts +=
-        scale * static_cast<double>(prototypes[static_cast<std::size_t>(kinds.first)].parts.size());
-    for (int k = 0; k < kinds.count; ++k) used[static_cast<std::size_t>(kinds.first + k)] = true;
+    for (int which : prototypes_at(params, kinds, site.stage)) {
+      plant.organs += scale;
+      plant.parts += scale * static_cast<double>(prototypes[static_cast<std::size_t>(which)].parts.size());
+      for (int k = 0; k < (kinds.pieces > 0 ? 1 : kinds.count); ++k)
+        used[static_cast<std::size_t>(which + k)] = true;
+    }
   }
   for (const Outline& outline : figure->outlines)
     plant.corners += scale * static_cast<double>(outline.points.size());
@@ -219,6 +242,10 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
                                                     : "is missing; the shape \"grammar\" needs it"}}};
       if (Errors errors = organ_faults(organ); !errors.empty()) {
         errors = pointed(*organ.grammar, std::move(errors));
+        for (Error& error : errors) error.where = place + error.where;
+        return {errors};
+      }
+      if (Errors errors = flower_faults(params.organs, i); !errors.empty()) {
         for (Error& error : errors) error.where = place + error.where;
         return {errors};
       }

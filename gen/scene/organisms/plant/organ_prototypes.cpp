@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "foliage/dew.h"
+#include "organisms/plant/flower_organ.h"
 #include "organisms/plant/organ_mesh.h"
 
 namespace frond {
@@ -95,6 +96,8 @@ Seed variant_seed(const OrganParams& p, int variant) {
 }
 
 int variant_count(const OrganParams& p) {
+  if (p.shape == OrganShape::inflorescence) return 0;
+  if (p.diagram) return piece_count(*p.diagram) * stage_count(*p.diagram);
   bool curled = p.picture && p.picture->curl > 0;
   bool grown = p.shape == OrganShape::sprig || p.shape == OrganShape::frond || p.shape == OrganShape::grammar;
   return grown || curled ? p.variants : 1;
@@ -139,6 +142,9 @@ Prototype prototype(const OrganParams& p, const std::optional<Seasons>& season, 
         made = leaf_prototype(season ? with_seasons(*p.picture, *season) : *p.picture, 2 * kPi * seed.unit());
       made.name = p.symbol;
       break;
+    case OrganShape::diagram:
+    case OrganShape::inflorescence:
+      break;
     case OrganShape::berry:
     case OrganShape::ball: {
       Surface ball = ball_surface();
@@ -167,9 +173,14 @@ Errors organ_faults(const OrganParams& organ) {
 
 std::vector<Prototype> organ_prototypes(const PlantParams& params) {
   std::vector<Prototype> list;
-  for (const OrganParams& organ : params.organs)
+  for (const OrganParams& organ : params.organs) {
+    if (organ.diagram) {
+      std::ranges::move(flower_stages(organ), std::back_inserter(list));
+      continue;
+    }
     for (int i = 0; i < variant_count(organ); ++i)
       list.push_back(prototype(organ, params.season, variant_seed(organ, i)));
+  }
   if (params.season)
     for (Prototype& organ : list) add_seasons(organ, *params.season);
   list.push_back({"@O", {{Tissue::skin, ball_surface()}}, params.bark.colors, params.bark.second});
@@ -186,11 +197,22 @@ std::vector<Prototype> organ_prototypes(const PlantParams& params) {
 Variants variants_of(const PlantParams& params, std::string_view symbol) {
   int first = 0, organ = 0;
   for (const OrganParams& p : params.organs) {
+    if (p.symbol == symbol && p.diagram)
+      return {organ, first, stage_count(*p.diagram), piece_count(*p.diagram)};
     if (p.symbol == symbol) return {organ, first, variant_count(p)};
     first += variant_count(p), ++organ;
   }
   if (symbol == "@O") return {-1, first, 1};
   return {-1, symbol == "@o" ? first + 1 : -1, 1};
+}
+
+std::vector<int> prototypes_at(const PlantParams& params, const Variants& variants, double stage) {
+  if (variants.count == 0) return {};
+  if (variants.pieces == 0) return {variants.first};
+  int at = stage_index(*params.organs[static_cast<std::size_t>(variants.organ)].diagram, stage);
+  std::vector<int> all;
+  for (int k = 0; k < variants.pieces; ++k) all.push_back(variants.first + k * variants.count + at);
+  return all;
 }
 
 }  // namespace frond

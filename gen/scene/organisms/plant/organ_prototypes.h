@@ -24,8 +24,14 @@ Errors organ_faults(const OrganParams& organ);
 struct Variants {
   int organ = -1;  ///< of `organs`; -1: the ball or the disc
   int first = -1;  ///< -1: none
-  int count = 1;   ///< consecutive prototypes
+  int count =
+      1;  ///< consecutive prototypes; of a diagram its stages, for each of its pieces; 0: an inflorescence
+  int pieces = 0;  ///< of a diagram, all of which stand together
 };
 Variants variants_of(const PlantParams& params, std::string_view symbol);
+
+/// The prototypes that stand together at a site of that stage: one, from which on those follow that may stand
+/// in its place, or the pieces of a flower.
+std::vector<int> prototypes_at(const PlantParams& params, const Variants& variants, double stage);
 
 }  // namespace frond

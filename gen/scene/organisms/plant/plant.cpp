@@ -8,6 +8,7 @@
 #include "grammar/figure.h"
 #include "grammar/review.h"
 #include "organisms/plant/cpfg_plant.h"
+#include "organisms/plant/flower_organ.h"
 #include "organisms/plant/organ_prototypes.h"
 
 namespace frond {
@@ -145,15 +146,21 @@ Errors add_organs(Model& model, const std::vector<Site>& sites, const PlantParam
       if (organ.picture && !drawn)
         color = static_cast<std::int32_t>(own.child(5).bits() % organ.picture->colors.size());
     }
-    auto pick = static_cast<int>(own.child(4).bits() % static_cast<std::uint64_t>(kinds.count));
-    o.prototype.push_back(static_cast<std::uint16_t>(kinds.first + pick));
-    o.position.push_back(site.position);
-    o.turn.push_back(glm::normalize(turn));
-    o.scale.push_back(glm::max(glm::abs(scale), Vec3(1e-5f)));
-    o.node.push_back(site.node);
-    o.birth.push_back(birth_at(model.skeleton, site.node, i, sites.size()));
-    o.color.push_back(color);
-    o.id.push_back(static_cast<std::uint32_t>(site.id));
+    auto pick = kinds.pieces > 0
+                    ? 0
+                    : static_cast<int>(own.child(4).bits() % static_cast<std::uint64_t>(kinds.count));
+    for (int which : prototypes_at(params, kinds, site.stage)) {
+      auto number = static_cast<std::size_t>(which + pick);
+      if (model.prototypes[number].parts.empty()) continue;  // petals that have fallen
+      o.prototype.push_back(static_cast<std::uint16_t>(number));
+      o.position.push_back(site.position);
+      o.turn.push_back(glm::normalize(turn));
+      o.scale.push_back(glm::max(glm::abs(scale), Vec3(1e-5f)));
+      o.node.push_back(site.node);
+      o.birth.push_back(birth_at(model.skeleton, site.node, i, sites.size()));
+      o.color.push_back(color);
+      o.id.push_back(static_cast<std::uint32_t>(site.id));
+    }
   }
   return {};
 }
@@ -194,7 +201,7 @@ Result<Grammar> plant_grammar(const PlantParams& params) {
   for (const OrganParams& organ : params.organs) {
     bool known = std::any_of(grammar->symbols.begin(), grammar->symbols.end(),
                              [&](const Symbol& symbol) { return symbol.name == organ.symbol; });
-    if (!known)
+    if (!known && !borne_by_others(params.organs, organ.symbol))
       errors.push_back({"", "the grammar has no symbol \"" + organ.symbol + "\" for an organ to stand at"});
   }
   find_missing_organs(*grammar, grammar->axiom.symbols, "axiom", params, errors);
@@ -226,6 +233,8 @@ Result<Model> grow_plant(const PlantParams& params, Seed seed, double share, con
                      std::min(1.0f, figure->skeleton.longest() / stature.longest);
   }
   fit(*plant, stature);
+  std::vector<Prototype> prototypes = organ_prototypes(params);
+  expand_inflorescences(*figure, params, prototypes, seed.child("organ"));
   if (Errors errors = check_places(*figure); !errors.empty()) return placed(errors, params.grammar);
   Model model;
   {
@@ -252,7 +261,7 @@ Result<Model> grow_plant(const PlantParams& params, Seed seed, double share, con
   add_blades(model, figure->outlines);
   add_skins(model, plant->skins);
   std::vector<Outline>().swap(figure->outlines);
-  model.prototypes = organ_prototypes(params);
+  model.prototypes = std::move(prototypes);
   if (Errors errors = add_organs(model, figure->sites, params, stature.factor, seed.child("organ"));
       !errors.empty())
     return placed(errors, params.grammar);

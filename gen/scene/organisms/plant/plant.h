@@ -5,6 +5,8 @@
 #include "core/result.h"
 #include "core/seed.h"
 #include "cpfg/cpfg.h"
+#include "foliage/floral_diagram.h"
+#include "foliage/inflorescence.h"
 #include "geometry/girth.h"
 #include "grammar/grammar.h"
 #include "model/model.h"
@@ -12,7 +14,21 @@
 
 namespace frond {
 
-enum class OrganShape { leaf, petal, flower, bud, berry, ball, obj, sprig, frond, picture, grammar };
+enum class OrganShape {
+  leaf,
+  petal,
+  flower,
+  bud,
+  berry,
+  ball,
+  obj,
+  sprig,
+  frond,
+  picture,
+  grammar,
+  diagram,
+  inflorescence
+};
 
 /// A picture that the mesh of an organ wears.
 struct OrganSkin {
@@ -53,9 +69,11 @@ struct OrganParams {
   double open = radians(65.0);   ///< angle between petals and heading
   double heart = 0.16;           ///< radius of a flower's heart as a share of its size
   double size_variation = 0.12;  ///< random change of the size, as a share
-  double turn_variation = radians(12.0);  ///< largest random tilt
-  std::optional<LeafLook> picture;        ///< of the shape `picture`, except its size and variations
-  std::optional<GrammarText> grammar;     ///< what draws the shape `grammar`
+  double turn_variation = radians(12.0);       ///< largest random tilt
+  std::optional<LeafLook> picture;             ///< of the shape `picture`, except its size and variations
+  std::optional<GrammarText> grammar;          ///< what draws the shape `grammar`
+  std::optional<FloralDiagram> diagram;        ///< of the shape `diagram`; its unit is the size
+  std::optional<Inflorescence> inflorescence;  ///< of the shape of that name; its length is the size
   std::optional<Luster> luster;
   double dew = 0;           ///< drops per square centimetre
   bool with_plant = false;  ///< a surface of a model of cpfg: its size goes with the plant's height
