@@ -247,8 +247,11 @@ class BestOrgan {
       const float away = glm::distance(foot + turn * (scale * o.position[i]), eye_);
       if (!is_one(i) || glm::length(o.scale[i]) < kLarge * largest || away >= nearest_) continue;
       nearest_ = away;
-      points_ = corners_of(m.prototypes[o.prototype[i]]);
-      for (Vec3& p : points_) p = foot + turn * (scale * (o.position[i] + o.turn[i] * (o.scale[i] * p)));
+      points_.clear();
+      // Pieces of one flower share their number.
+      for (std::size_t k = i; k < o.size() && o.id[k] == o.id[i]; ++k)
+        for (const Vec3& p : corners_of(m.prototypes[o.prototype[k]]))
+          points_.push_back(foot + turn * (scale * (o.position[k] + o.turn[k] * (o.scale[k] * p))));
     }
   }
 
