@@ -107,6 +107,9 @@ void set_courses(Specimen& specimen, const Courses& courses, Seed seed) {
   if (!condition) return;
   Life& life = specimen.life;
   lay_turf(*condition, specimen.model.solids);
+  // It is copied for each frame: what its bodies were as they grew is left out where no film sees that.
+  if (specimen.motion.growth.duration <= 0)
+    for (Solid& solid : specimen.model.solids.shapes) solid.past.clear();
   add_ailing(specimen.model, specimen.look, courses);
   if (life.develop)
     life.develop = [develop = life.develop, worn = specimen.look, courses](double time) {
