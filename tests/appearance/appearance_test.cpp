@@ -59,13 +59,13 @@ TEST(BranchLook, OnlyWhatHasAPatternHasASizeOfIt) {
 
 TEST(Tinted, TurnsTheHueRoundGreyAndKeepsGrey) {
   Tint tint;
-  tint.hue = radians(120.0);
+  tint.course.hue = 120.0;
   Vec3 grey = tinted(Color{0.5f, 0.5f, 0.5f}, tint);
   EXPECT_NEAR(grey.x, grey.y, 1e-5);
   EXPECT_NEAR(grey.x, linear(Color{0.5f, 0.5f, 0.5f}).x, 1e-5);
   Vec3 turned = tinted(Color{0.8f, 0.1f, 0.1f}, tint);
   EXPECT_GT(turned.y, 5 * turned.x) << "a third of a turn takes red to green";
-  tint.hue = 0, tint.saturation = 0;
+  tint.course.hue = 0.0, tint.course.saturation = 0.0;
   Vec3 faded = tinted(Color{0.8f, 0.1f, 0.1f}, tint);
   EXPECT_NEAR(faded.x, faded.z, 1e-5);
 }

@@ -274,5 +274,23 @@ TEST(Film, HasNoJumps) {
   EXPECT_LT(most, 12 * total / count);
 }
 
+TEST(Growth, ByRateKeepsToTheLengthOfEachYear) {
+  Skeleton s = candelabrum(7, Seed{1});
+  set_births(s);
+  Growth slow;
+  slow.rate = 2, slow.years_a_second = 1, slow.start = 0.5, slow.ease = Ease::none;
+  slow = paced(slow, s.longest());
+  for (double years : {3.0, 8.0, 20.0, 40.0}) {
+    const double length = std::min(0.02 * years, static_cast<double>(s.longest()));
+    const double front = std::min(growth_front(slow, 0.5 + years), 1.0);
+    EXPECT_NEAR(front * static_cast<double>(s.longest()), length, 0.01 * length) << years;
+  }
+  Growth fast = slow;
+  fast.rate = 10;
+  EXPECT_NEAR(paced(fast, 1).duration, paced(slow, 1).duration / 5, 1e-9);
+  fast.rate = 0, fast.duration = 3;
+  EXPECT_EQ(paced(fast, 7).duration, 3) << "without a rate its own duration holds";
+}
+
 }  // namespace
 }  // namespace frond

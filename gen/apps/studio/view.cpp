@@ -242,7 +242,7 @@ Errors add_specimens(const Scene& scene, const ViewRequest& request, ViewCache& 
 }
 
 /// Three factors for colours, 128 for 1, which are about what a tint does.
-std::array<std::uint8_t, 4> tint_bytes(const TintShift& shift) {
+std::array<std::uint8_t, 4> tint_bytes(const ColorShift& shift) {
   auto byte = [&](double turn) {
     return static_cast<std::uint8_t>(std::clamp(128 * shift.value * (1 + turn), 0.0, 255.0));
   };

@@ -88,4 +88,11 @@ Bounds bounds_of(const Model& model) {
   return box;
 }
 
+float length_of(const Model& model) {
+  if (model.skeleton.size() > 1) return model.skeleton.longest();
+  if (model.solids.size() == 0) return 0;
+  const Vec3 size = bounds_of(model.solids).size();
+  return std::max({size.y, size.x / 2, size.z / 2});
+}
+
 }  // namespace frond

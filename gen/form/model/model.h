@@ -43,6 +43,7 @@ struct Prototype {
   std::optional<Color> bud = {};      ///< initial colour while the organ unfolds; none: colours do not change
   std::optional<Luster> luster = {};  ///< none: the default of its tissue
   std::size_t summer = 0;  ///< number of summer colours, followed by those of other seasons; 0: all
+  std::size_t ailing = 0;  ///< index of the first colour of failing health, which come last; 0: none
   double borne = 0;  ///< of what comes with the season, how many each organ of full leaf bears; 0: unknown
   double mean = 0;   ///< of the same, metres long
 };
@@ -118,6 +119,10 @@ struct Model {
 
 /// How far an organ reaches from its origin, metres.
 float reach_of(const Prototype& organ);
+
+/// How long it is as growth goes, metres: the longest way along branches, or of bodies the height or the
+/// radius, whichever is more; 0 of nothing.
+float length_of(const Model& model);
 
 /// A box round its branches and bodies, and the places of its organs and blades; empty where there is
 /// nothing.

@@ -20,7 +20,15 @@ struct Growth {
   double ripen = 0.35;            ///< share of the growth after which a new node has its full thickness, > 0
   bool to_end = false;            ///< duration is what the film leaves, see read_preset()
   std::optional<Ease> ease = {};  ///< none: fast in youth, slow in age
+  double rate = 0;                ///< cm a year by which it becomes longer; 0: `duration` holds
+  double years_a_second = 0;      ///< of the film, for `rate` and for what grows over years
+
+  /// Whether its duration follows from its length, see paced().
+  bool by_rate() const { return rate > 0 && years_a_second > 0; }
 };
+
+/// The growth of what comes to be so long, metres, at its rate; one without a rate stays as it is.
+Growth paced(Growth growth, double length);
 
 /// Swaying in a current: a bend that grows toward the tips and travels through the water.
 struct Wave {

@@ -7,6 +7,7 @@
 
 #include "appearance/bleaching.h"
 #include "appearance/skin_colors.h"
+#include "emit/plant.h"
 
 namespace frond {
 
@@ -167,6 +168,7 @@ ObjectText coat_text(const PovSpace& space, const DrawnBranches& branches, const
     append_list(text, 4, coat.moss, coat.moss_height, branches.pose.position[0].y);
     text += ")}";
   }
+  text += shift_over(branches.traits.shift, coat.tone);
   text += weather_over(branches.traits.snowy, branches.traits.wet, Wetting::wood);
   return {text + "}\n", 1};
 }

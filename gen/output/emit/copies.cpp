@@ -18,15 +18,45 @@ namespace {
 
 constexpr int kMossSteps = 24;  // that logs become green in
 
-std::string tints_text(std::size_t copy_set, const Organism& organism) {
+/// The tints of a copy set; `by` is what shifts all of them.
+std::string tints_text(std::size_t copy_set, const Organism& organism, const ColorShift& by = {}) {
   std::string text = fmt::format("#declare Tint{} = array[{}]{{", copy_set, kTints);
   for (int i = 0; i < kTints; ++i) {
-    TintShift shift = tint_shift(organism.sown->tint, i);
+    ColorShift shift = tint_shift(organism.sown->tint, i);
     if (i > 0) text += ',';
-    append_vector(text, 4, degrees(shift.hue), shift.saturation, shift.value);
+    append_vector(text, 4, degrees(shift.hue + by.hue), shift.saturation * by.saturation,
+                  shift.value * by.value);
   }
   return text + "}\n";
 }
+
+/// Whether the tints of a copy set change over the film.
+bool tints_change(const CopySet& set) {
+  const std::optional<ColorCourse>& tint = set.organism.courses.tint;
+  return tint && !tint->plain();
+}
+
+/// What the names of a file's looks begin with, for a copy set whose look changes.
+std::string worn_name(std::size_t copy_set, const ModelFile& file) {
+  return fmt::format("Worn{}_{}", copy_set, declared_name(file));
+}
+
+/// A look at a time, and the prototypes and materials of its model. What all tints do is left to those, but
+/// for bodies, which have none.
+struct WornLook {
+  Look look;
+  Model model;
+
+  WornLook(const Look& own, const Model& all, const Condition& condition, double time) : model(all) {
+    Condition untinted = condition;
+    untinted.courses.tint.reset();
+    look = look_at(own, untinted, time);
+    const std::vector<Solid> shapes = model.solids.shapes;
+    put_in_together(model, untinted, time);
+    for (std::size_t k = 0; k < shapes.size(); ++k)
+      model.solids.shapes[k].material = material_at(shapes[k].material, k, condition, time);
+  }
+};
 
 /// Whether its copies are others in each frame.
 bool moves(const CopySet& set, const Film& film) {
@@ -70,7 +100,10 @@ class CopySetParts {
         time_(time),
         seasons_(copy_seasons(set_.organism, film_)) {}
 
-  std::vector<std::string> parts;  ///< their names
+  struct Part {
+    std::string name, look;  ///< what the name of its macro begins with
+  };
+  std::vector<Part> parts;
 
   /// Selects those of a model, of one level and block; `text` gets what has to be declared for them.
   void select(std::string& text, int model, const Drawn& one) {
@@ -79,25 +112,38 @@ class CopySetParts {
     std::string own = fmt::format("Growing{}_{}_{}_{}", which_, model, one.level, one.block + 1);
     if (!whole_ && own == name_) return;  // in another tint
     name_ = own, parts.clear();
-    if (whole_ || seasons_) add(declared_name(file), file.parts);
+    const bool worn_at_all = plan_.worn.contains({which_, model, one.level});
+    if (whole_ || seasons_)
+      add(declared_name(file), worn_at_all ? worn_name(which_, file) : declared_name(file), file.parts);
     if (whole_ || !now_) return;
     ModelBlocks blocks = blocks_of(plan_.surfels[which_][static_cast<std::size_t>(model)]);
     ModelFile here;
     here.level = one.level, here.block = one.block;
-    const Look& look = set_.appearance.look;
     const CopyDetail& detail = kLevels[one.level];
-    std::vector<CopyPart> all = copy_parts(look, *now_, detail, &blocks, seasons_ ? &leaves_ : nullptr);
+    std::optional<WornLook> worn_now;
+    if (worn_at_all) {
+      const WornModel& known = *plan_.worn.at({which_, model, one.level});
+      Model ailing = *now_;
+      add_ailing(ailing, set_.appearance.look, known.condition.courses);
+      worn_now.emplace(set_.appearance.look, ailing, known.condition, time_);
+    }
+    const Look& look = worn_now ? worn_now->look : set_.appearance.look;
+    const Model& here_now = worn_now ? worn_now->model : *now_;
+    std::vector<CopyPart> all = copy_parts(look, here_now, detail, &blocks, seasons_ ? &leaves_ : nullptr);
     Model worn;
-    if (seasons_ && detail.plain) worn = *now_, set_leaf_colors(worn.prototypes, leaves_);
-    add(own, append_parts(text, own, look, seasons_ && detail.plain ? worn : *now_, all, here));
+    if (seasons_ && detail.plain) worn = here_now, set_leaf_colors(worn.prototypes, leaves_);
+    add(own, own, append_parts(text, own, look, seasons_ && detail.plain ? worn : here_now, all, here));
   }
 
   /// How far the model has grown, 0..1.
   double front() const { return front_; }
 
  private:
-  void add(const std::string& name, const std::vector<int>& numbers) {
-    for (int part : numbers) parts.push_back(part_name(name, static_cast<std::size_t>(part)));
+  void add(const std::string& name, const std::string& look, const std::vector<int>& numbers) {
+    for (int part : numbers) {
+      const auto p = static_cast<std::size_t>(part);
+      parts.push_back({part_name(name, p), part_name(look, p)});
+    }
   }
 
   void grow(int model) {
@@ -110,7 +156,7 @@ class CopySetParts {
       return;
     }
     Motion motion = set_.appearance.motion;
-    motion.growth = *copy_growth(set_.organism, film_, model);
+    motion.growth = paced(*copy_growth(set_.organism, film_, model), length_of(*growing->second));
     double front = growth_front(motion.growth, time_);
     front_ = std::min(front, 1.0);
     whole_ = front >= 1 + motion.growth.ripen;
@@ -160,8 +206,8 @@ ObjectText copy_set_text(const PovSpace& space, const Scene& scene, const CopyPl
     auto [model, level, block, tint, moss] = key;
     made.select(text, model, {0, static_cast<std::int16_t>(block), static_cast<std::int16_t>(level)});
     if (carries && !made.parts.empty()) append_front(text, made.front());
-    for (std::string object : made.parts) {
-      std::string look = object + fmt::format("_Look(Tint{}[{}])", which, tint);
+    for (const auto& [name, worn] : made.parts) {
+      std::string object = name, look = worn + fmt::format("_Look(Tint{}[{}])", which, tint);
       if (moss > 0)
         look += fmt::format(" texture{{Copy_Moss({})}}", number_text(moss / double{kMossSteps}, 3));
       look += weather_over(is_snowy(scene.setup), is_rainy(scene.setup), Wetting::leaf);
@@ -216,11 +262,36 @@ std::string model_includes_text(const Scene& scene, const CopyPlan& plan, std::s
   return text;
 }
 
+std::string worn_copies_text(const Scene& scene, const CopyPlan& plan, std::size_t stretch, double time) {
+  std::string text;
+  for (std::size_t s = 0; s < scene.copy_sets.size(); ++s) {
+    const CopySet& set = scene.copy_sets[s];
+    if (tints_change(set)) text += tints_text(s, set.organism, set.organism.courses.tint->at(time));
+    std::set<std::string> done;  // names of files
+    std::map<std::pair<int, int>, WornLook> looks;
+    auto declare = [&](int model, const Drawn& one) {
+      auto worn = plan.worn.find({s, model, one.level});
+      if (worn == plan.worn.end()) return;
+      const ModelFile& file = plan.file(s, model, one);
+      if (!done.insert(file.name).second) return;
+      const WornModel& known = *worn->second;
+      auto look = looks.find({model, one.level});
+      if (look == looks.end())
+        look = looks.try_emplace({model, one.level}, set.appearance.look, known.model, known.condition, time)
+                   .first;
+      append_looks(text, worn_name(s, file), look->second.look, look->second.model, known.parts, file);
+    };
+    if (plan.drawn.empty()) continue;
+    for (const Drawn& one : plan.drawn[stretch][s]) declare(set.copies.model[one.copy], one);
+  }
+  return text;
+}
+
 ObjectText still_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan,
                              std::size_t stretch) {
   ObjectText all;
   for (std::size_t s = 0; s < scene.copy_sets.size(); ++s)
-    all.text += tints_text(s, scene.copy_sets[s].organism);
+    if (!tints_change(scene.copy_sets[s])) all.text += tints_text(s, scene.copy_sets[s].organism);
   return all += copy_sets_text(space, scene, plan, stretch, 0, false);
 }
 

@@ -26,6 +26,10 @@ std::string part_name(std::string_view file, std::size_t part);
 std::vector<int> append_parts(std::string& text, std::string_view name, const Look& look, const Model& model,
                               const std::vector<CopyPart>& all, const ModelFile& file);
 
+/// Declares the macros of the looks of those parts alone, under another name.
+void append_looks(std::string& text, std::string_view name, const Look& look, const Model& model,
+                  const std::vector<CopyPart>& all, const ModelFile& file);
+
 /// What a model's file says.
 struct ModelText {
   std::vector<int> parts;                  ///< that it declares
@@ -43,6 +47,9 @@ std::vector<ModelText> model_texts(const std::vector<ModelFile>& files, const Co
 /// come and go, and without one of the others.
 std::string model_includes_text(const Scene& scene, const CopyPlan& plan, std::size_t stretch,
                                 std::optional<double> time = {});
+/// The looks of copies in a stretch that change over the film, as they are at a time: a tint for each of a
+/// copy set, and a macro for each part of a model.
+std::string worn_copies_text(const Scene& scene, const CopyPlan& plan, std::size_t stretch, double time);
 /// For a stretch of the film: the tints of all copies and those copies that stand still.
 ObjectText still_copies_text(const PovSpace& space, const Scene& scene, const CopyPlan& plan,
                              std::size_t stretch);

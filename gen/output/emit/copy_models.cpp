@@ -167,6 +167,16 @@ std::vector<int> append_parts(std::string& text, std::string_view name, const Lo
   return parts;
 }
 
+void append_looks(std::string& text, std::string_view name, const Look& look, const Model& model,
+                  const std::vector<CopyPart>& all, const ModelFile& file) {
+  for (int p : file.parts) {
+    const CopyPart& part = all[static_cast<std::size_t>(p)];
+    declare_part(text, part, look, model);
+    text += fmt::format("#macro {}_Look(T) {} #end\n", part_name(name, static_cast<std::size_t>(p)),
+                        look_of(part, look, model, kLevels[file.level].plain));
+  }
+}
+
 std::string ModelText::file_text() const {
   std::string text = title;
   for (std::string_view include : includes) text += fmt::format("#include \"frond_{}.inc\"\n", include);

@@ -20,6 +20,7 @@
 #include "emit/setting.h"
 #include "emit/twigs.h"
 #include "emit/weather.h"
+#include "emit/worn.h"
 #include "world/world.h"
 
 namespace frond {
@@ -259,14 +260,18 @@ Result<FrameCount> write_organism(const FrameParts& parts, const Scene& scene, s
   if (!now) return now.errors();
   const Solids& solids = parts.solids.of(scene, i);
   std::optional<Solids> developed;
-  if (b.life.develop) developed = parts.solids.of(i, (*now)->model.solids);
+  if (b.life.develop)
+    developed = parts.solids.of(i, (*now)->model.solids);
+  else if (b.life.condition && solids.size() > 0)
+    developed = worn_at(solids, b, time);
+  const Solids& drawn_solids = developed && !b.life.develop ? *developed : solids;
   DrawList drawn(**now, time, developed ? *developed : solids, parts.twigs[i].get());
   ObjectText bodies;
   for (const DrawnBody& body : drawn.bodies)
     if (body.now || b.life.develop) bodies += solid_text(parts.space, body, i, b.wet);
-  for (const DrawnPolyps& polyps : drawn_polyps(solids, parts.polyps[i], b.motion.growth, time, eye))
+  for (const DrawnPolyps& polyps : drawn_polyps(drawn_solids, parts.polyps[i], b.motion.growth, time, eye))
     bodies += polyps_text(parts.space, polyps, time);
-  for (const DrawnSepta& septa : drawn_septa(solids, parts.septa[i], b.motion.growth, time, eye))
+  for (const DrawnSepta& septa : drawn_septa(drawn_solids, parts.septa[i], b.motion.growth, time, eye))
     bodies += septa_text(parts.space, septa);
   out(bodies.text);
   Fineness fine{parts.pixel[i], decimals_for(parts.space, parts.pixel[i])};
@@ -344,9 +349,14 @@ Result<FrameCount> write_frame(const Scene& scene, const FrameParts& parts, std:
     if (hole == "camera")
       return out(
           camera_text(parts.space, camera, film, time, named_focus(scene, time), sample_shift(film, frame)));
-    if (hole == "materials") return out(parts.materials);
+    if (hole == "materials") {
+      out(parts.materials);
+      return out(worn_text(scene, parts.first_skin, time));
+    }
     if (hole == "ground") {
       out(parts.ground);
+      if (!parts.plan.drawn.empty())
+        out(worn_copies_text(scene, parts.plan, parts.plan.stretch_of(frame), time));
       if (!parts.copies.empty()) out(parts.copies[parts.plan.stretch_of(frame)]);
       return;
     }

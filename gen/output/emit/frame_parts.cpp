@@ -73,6 +73,7 @@ FrameParts prepare_frames(const Scene& scene, CopyPlan plan, bool for_film) {
         fmt::format("#declare Skin_Bleached = array[{0}];\n#declare Skin_Dead = array[{0}];\n", skins);
   for (std::size_t i = 0; i < scene.specimens.size(); ++i) {
     const Specimen& b = scene.specimens[i];
+    if (b.life.condition) continue;  // in each frame
     append_skin_declarations(parts.materials, b.look.branches, b.brightness, parts.first_skin[i],
                              !b.model.light.empty(), b.name);
   }

@@ -59,7 +59,8 @@ std::size_t write_group(const PovSpace& space, const DrawList& drawn, const Orga
       if (text.size() > kPiece) out(text), text.clear();
     }
     if (!prototype.parts[part].pictures.empty())
-      text += picture_look(prototype.parts[part].pictures[group.color], group.shade, prototype.luster);
+      text += picture_look(prototype.parts[part].pictures[group.color], group.shade, prototype.luster) +
+              shift_over(drawn.traits.shift, prototype.colors[group.color]);
     else
       text += tissue_text(prototype.parts[part].tissue, group.tint, prototype.second, group.shade,
                           prototype.luster);
@@ -79,6 +80,10 @@ std::string tissue_text(Tissue tissue, const Color& color, const Color& second, 
   std::string text = lustrous(call_text(macro, color, second, shade), luster, relief_macro(tissue), {});
   if (tissue == Tissue::ivy) text += "interior_texture{" + call_text("Ivy_Under", color, second, shade) + '}';
   return text;
+}
+
+std::string shift_over(const ColorShift& by, const Color& mean) {
+  return by.plain() ? "" : "texture{" + call_text("Plant_Filter", shift_filter(mean, by)) + '}';
 }
 
 std::string_view relief_macro(Tissue tissue) {

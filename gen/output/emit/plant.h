@@ -10,6 +10,10 @@
 
 namespace frond {
 
+/// The layer over a picture that shifts its colours, `mean` being that of the picture; empty where
+/// it changes none.
+std::string shift_over(const ColorShift& by, const Color& mean);
+
 /// The macro that raises the relief of a tissue; empty: it has none.
 std::string_view relief_macro(Tissue tissue);
 

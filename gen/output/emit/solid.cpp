@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/content.h"
+#include "emit/worn.h"
 
 namespace frond {
 
@@ -87,15 +88,19 @@ std::string mapped_texture(const Material& material, std::string_view matrix) {
                      moss_map_name(*material.moss_map), matrix);
 }
 
-/// A shape that is the same for a while: declared once and placed.
+/// A shape that is the same for a while: declared once and placed. `worn`: in what each frame
+/// declares, see emit/worn.h.
 void append_shape(ObjectText& all, const PovSpace& space, const DrawnBody& body, std::size_t organism,
-                  bool wet) {
+                  bool wet, bool worn) {
   std::string lines, &text = all.text;
   std::size_t placed = 0;
   const Solid& solid = *body.solid;
   bool own = body.places.size() <= kOwnTextures;
   bool mapped = solid.material.moss_map && solid.material.moss > 0;
-  auto worn = [&](std::string_view matrix) { return mapped_texture(solid.material, matrix); };
+  auto laid = [&](std::string_view matrix) { return mapped_texture(solid.material, matrix); };
+  const std::string texture = worn     ? ' ' + worn_name(organism, body.shape) + "()"
+                              : mapped ? ""
+                                       : material_text(solid.material, wet);
   if (mapped) declare_mapped(text, space, solid.material, wet);
   std::string name = fmt::format("Solid{}_{}", organism, body.shape);
   text += "#declare " + name + " = ";
@@ -109,13 +114,13 @@ void append_shape(ObjectText& all, const PovSpace& space, const DrawnBody& body,
   for (const OrganPlace& place : body.places) {
     std::size_t line = lines.size();
     lines += "object{" + name + ' ';
-    if (own && !mapped) lines += material_text(solid.material, wet);
+    if (own && !mapped) lines += texture;
     std::size_t matrix = lines.size();
     if (!append_matrix(lines, space, axes_of(place.turn, place.scale), place.at)) {
       lines.resize(line);
       continue;
     }
-    if (own && mapped) lines += worn(lines.substr(matrix));
+    if (own && mapped) lines += laid(lines.substr(matrix));
     lines += "}\n", ++placed;
   }
   if (own || lines.empty()) {
@@ -124,7 +129,7 @@ void append_shape(ObjectText& all, const PovSpace& space, const DrawnBody& body,
     return;
   }
   ++all.objects;
-  text += "union{\n" + lines + (mapped ? worn("") : material_text(solid.material, wet)) + "}\n";
+  text += "union{\n" + lines + (mapped ? laid("") : texture) + "}\n";
 }
 
 /// One that is another in each frame.
@@ -176,18 +181,22 @@ std::vector<std::string_view> solid_includes(const Scene& scene) {
   for (const Specimen& b : scene.specimens) {
     for (const Solid& solid : b.model.solids.shapes) names.insert(material_include(solid.material));
     if (b.look.branches.polyps()) names.insert("reef");
+    const std::optional<Condition>& condition = b.life.condition;
+    if (condition && condition->courses.health && condition->courses.health->fluoresces > 0)
+      names.insert("reef");
   }
   return {names.begin(), names.end()};
 }
 
-ObjectText solid_text(const PovSpace& space, const DrawnBody& body, std::size_t organism, bool wet) {
+ObjectText solid_text(const PovSpace& space, const DrawnBody& body, std::size_t organism, bool wet,
+                      bool worn) {
   ObjectText text;
   if (!has_faces(body.surface())) return text;
   if (is_of_reef(body.solid->material.matter)) append_front(text.text, body.front);
   if (body.now)
     append_grown(text, space, body, wet);
   else
-    append_shape(text, space, body, organism, wet);
+    append_shape(text, space, body, organism, wet, worn);
   return text;
 }
 
@@ -199,7 +208,7 @@ ObjectText solids_text(const PovSpace& space, const Scene& scene, const DrawnSol
     if (solids.size() == 0 || b.life.develop) continue;
     append_comment(text.text, b.name);
     for (const DrawnBody& body : still_bodies(solids, b.motion.growth))
-      text += solid_text(space, body, o, b.wet);
+      text += solid_text(space, body, o, b.wet, b.life.condition.has_value());
   }
   return text;
 }

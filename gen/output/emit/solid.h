@@ -26,8 +26,10 @@ std::string_view material_include(const Material& material);
 /// the same in each frame. Without `drawn` they are written as they are.
 ObjectText solids_text(const PovSpace& space, const Scene& scene, const DrawnSolids& drawn = {});
 
-/// One shape of an organism, declared and placed, or as far as it has grown; `wet`: with rain on it.
-ObjectText solid_text(const PovSpace& space, const DrawnBody& body, std::size_t organism, bool wet = false);
+/// One shape of an organism, declared and placed, or as far as it has grown; `wet`: with rain on it; `worn`:
+/// in what worn_text() declares.
+ObjectText solid_text(const PovSpace& space, const DrawnBody& body, std::size_t organism, bool wet = false,
+                      bool worn = false);
 
 /// One union of polyps, as open as they are at a time.
 ObjectText polyps_text(const PovSpace& space, const DrawnPolyps& drawn, double time);

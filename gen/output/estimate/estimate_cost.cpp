@@ -325,8 +325,9 @@ Result<Sums> sums_of(const Preset& preset, FrameRange part) {
                   size.triangles / kTrianglesMade + size.word.work / kModulesDerived + size.seconds;
     bool develops = grower.traits().develops(preset.film.frames > 1);
     sums.changing = sums.changing || appearance.motion.growth.duration > 0 || develops ||
+                    (size.organs > 0 && condition_of(organism.courses, appearance.look, {})) ||
                     moves_far(preset, organism, appearance.motion);
-    sums.add_pictures(appearance.look);
+    sums.add_pictures(ail_look(appearance.look, organism.courses));
     if (organism.sown)
       sums.add_sown(preset, o, size, appearance, made, grows);
     else

@@ -237,7 +237,7 @@ Result<ExportScene> export_scene(const Scene& scene, double time, const ExportOp
     auto now = developed(b, time);
     if (!now) return now.errors();
     Result<std::vector<Model>> swarm = std::vector<Model>{};
-    if (b.life.changes()) swarm = swarm_of(b, **now, options.keys);
+    if (b.life.reshapes()) swarm = swarm_of(b, **now, options.keys);
     if (!swarm) return swarm.errors();
     if (Errors errors = SceneExporter(maker, **now, time, std::move(*swarm)).add(); !errors.empty())
       return errors;

@@ -65,6 +65,7 @@ struct SownModel {
   ModelSummary summary;
   std::vector<std::vector<ModelFile>> missing;  // of each level; empty: nothing is known of it yet
   std::shared_ptr<const Model> grown;           // where the film sees it grow
+  std::map<std::pair<std::size_t, int>, std::shared_ptr<const WornModel>> worn;  // by copy set and level
 };
 
 /// Plans the files of all models that stand in a scene and writes those that are not there.
@@ -86,7 +87,7 @@ class ModelWriter {
     for (auto& [id, one] : models_) each.push_back(&one);
     parallel_for(each.size(), [&](std::size_t i) { look_up(*each[i]); });
     std::ranges::copy_if(each, std::back_inserter(to_grow), [&](SownModel* one) {
-      return grows(*one) || one->missing.empty() ||
+      return grows(*one) || wears(*one) || one->missing.empty() ||
              std::ranges::any_of(one->missing, [](const auto& of) { return !of.empty(); }) ||
              halvings(*one) != one->summary.halvings();
     });
@@ -152,6 +153,40 @@ class ModelWriter {
     return copy_seasons(scene_.copy_sets[one.uses[0].copy_set].organism, scene_.film).has_value();
   }
 
+  /// Whether the film sees the look of its copies change.
+  bool wears(const SownModel& one) const {
+    return std::ranges::any_of(one.uses, [&](const SownModel::Use& use) {
+      return copy_condition(scene_.copy_sets[use.copy_set].organism, one.number).has_value();
+    });
+  }
+
+  /// Keeps what frames have to know of it.
+  void keep_worn(SownModel& one, const Model& model, bool living) const {
+    const ModelBlocks blocks = blocks_of(one.summary.surfels);
+    for (const SownModel::Use& use : one.uses) {
+      const CopySet& set = scene_.copy_sets[use.copy_set];
+      std::optional<Condition> condition = copy_condition(set.organism, one.number);
+      if (!condition) continue;
+      lay_turf(*condition, model.solids);
+      for (const ModelFile& file : use.plan.files) {
+        std::shared_ptr<const WornModel>& kept = one.worn[{use.copy_set, file.level}];
+        if (kept) continue;
+        auto worn = std::make_shared<WornModel>();
+        worn->condition = *condition;
+        worn->model.prototypes = model.prototypes;
+        for (Prototype& organ : worn->model.prototypes)
+          for (OrganPart& part : organ.parts) part.surface = {};
+        for (const Solid& solid : model.solids.shapes)
+          worn->model.solids.shapes.push_back({.surface = {}, .material = solid.material});
+        add_ailing(worn->model, set.appearance.look, condition->courses);
+        const Look& look = set.appearance.look;
+        worn->parts =
+            copy_parts(look, living ? for_level(model, file.level) : model, kLevels[file.level], &blocks);
+        kept = std::move(worn);
+      }
+    }
+  }
+
   Errors grow(SownModel& one) const {
     const CopySet& set = scene_.copy_sets[one.uses[0].copy_set];
     Result<Model> model = grow_copy(set.organism, one.number, turns(one));
@@ -172,6 +207,7 @@ class ModelWriter {
     }
     bool living = std::ranges::any_of(model->solids.shapes,
                                       [](const Solid& s) { return is_of_reef(s.material.matter); });
+    if (wears(one)) keep_worn(one, *model, living);
     for (const std::vector<ModelFile>& files : one.missing) {
       if (files.empty()) continue;
       Errors errors = write_level(one, files, living ? for_level(*model, files[0].level) : *model);
@@ -209,6 +245,8 @@ class ModelWriter {
         Views::add(plan, s, std::ranges::find(one.uses, s, &SownModel::Use::copy_set)->plan);
         for (std::size_t f = first; f < plan.files.size(); ++f)
           plan.files[f].parts = one.summary.parts.at({plan.files[f].level, plan.files[f].block});
+        for (const auto& [key, worn] : one.worn)
+          if (key.first == s) plan.worn[{s, model, key.second}] = worn;
         if (one.grown) plan.growing[{s, model}] = one.grown;
         std::vector<std::vector<Surfel>>& surfels = plan.surfels[s];
         surfels.resize(std::max(surfels.size(), static_cast<std::size_t>(model) + 1));

@@ -281,7 +281,11 @@ std::vector<int> wanted_halvings(const Scene& scene, std::size_t copy_set, int m
 
 bool light_changes(const Scene& scene, std::span<const double> pixel) {
   if (scene.film.frames <= 1) return false;
-  auto changes = [](const Specimen& s) { return s.life.changes() || s.motion.growth.duration > 0; };
+  // Bodies that only pale stand in one light; leaves that hang and fall let more of it through.
+  auto changes = [](const Specimen& s) {
+    return s.life.reshapes() || (s.life.condition && s.model.organs.size() > 0) ||
+           s.motion.growth.duration > 0;
+  };
   auto turns = [&](const CopySet& s) {
     return !s.copies.span.empty() || copy_seasons(s.organism, scene.film);
   };

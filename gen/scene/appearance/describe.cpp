@@ -72,11 +72,7 @@ void describe(Properties& v, Tint& t) {
   v.aspect(Aspect::look);
   v.color("base", t.base, "Colour of the skin");
   v.color("secondary", t.secondary, "Colour in the pores and grooves");
-  v.angle("hue", t.hue, {.min = -360, .max = 360},
-          "Angle by which both colours are turned round the colour wheel");
-  v.number("saturation", t.saturation, {.min = 0, .max = 3},
-           "Factor of both colours' saturation; 0 is grey, 1 leaves it");
-  v.number("value", t.value, {.min = 0, .max = 3}, "Factor of both colours' brightness; 1 leaves it");
+  describe(v, t.course);
   v.number("variation", t.variation, {.min = 0, .max = 0.9},
            "How much single corals differ in brightness, as a share");
   v.number("young", t.young, {.min = 0, .max = 1}, "How much paler growing tips are; 0 as the rest");
@@ -105,8 +101,17 @@ void describe(Properties& v, Growth& g) {
       "age");
   v.number("stagger", g.stagger, {.min = 0, .max = 1e6, .unit = "s"},
            "Each organism begins to grow up to so much later than the first, at random");
+  v.number(
+      "rate", g.rate, {.min = 0, .max = 1000, .unit = "cm a year"},
+      "By how much it becomes longer in a year, in the mean: branches from their foot, bodies in height or "
+      "radius, whichever is more. With years_a_second; how long it grows follows from its size then, and "
+      "not from duration");
+  v.number("years_a_second", g.years_a_second, {.min = 0, .max = 10000, .unit = "years"},
+           "Years that pass in a second of the film: for rate, and for trees, which have years of their own");
   v.number("ripen", g.ripen, {.min = 0.01, .max = 2},
            "Share of the growth that a place takes from its first appearance to its full thickness");
+  // That of one metre, until the size is known.
+  if (g.by_rate()) g.duration = paced(g, 1).duration, g.ease = g.ease.value_or(Ease::none);
 }
 
 void describe(Properties& v, Wave& w) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "appearance/appearance.h"
+#include "appearance/health.h"
 #include "geometry/girth.h"
 #include "preset/describe.h"
 
@@ -10,6 +11,8 @@ namespace frond {
 
 void describe(Properties& v, Polyps& p);
 void describe(Properties& v, Pores& p);
+void describe(Properties& v, ColorCourse& t);
+void describe(Properties& v, Health& h);
 void describe(Properties& v, Tint& t);
 void describe(Properties& v, Skin& s);
 void describe(Properties& v, Growth& g);

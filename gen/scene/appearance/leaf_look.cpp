@@ -25,14 +25,6 @@ std::uint64_t spots_of(const LeafLook& look, std::size_t color) {
   return color < look.colors.size() ? color : 0;
 }
 
-/// A name by all that the picture shows: the leaf in that colour alone.
-std::string picture_name(LeafLook look, std::size_t color) {
-  std::uint64_t spots = spots_of(look, color);
-  LeafTint tint = leaf_tint(look, color);
-  look.colors = {tint.color}, look.veins = tint.veins, look.rim = tint.rim;
-  return fmt::format("leaf_{}.png", made_id(fmt::format("{} {}", keys_of(std::move(look)).look, spots)));
-}
-
 /// A picture without opacity, for the mesh has the outline: to POV-Ray a leaf with an opacity is one that
 /// each ray of light must look through. Where nothing is drawn it has the colour of the rim.
 Raster opaque(const Raster& from, const Color& rim) {
@@ -55,6 +47,19 @@ std::optional<LeafLook> side_sprigs(const LeafLook& look) {
 }
 
 }  // namespace
+
+std::string picture_name(LeafLook look, std::size_t color) {
+  std::uint64_t spots = spots_of(look, color);
+  LeafTint tint = leaf_tint(look, color);
+  look.colors = {tint.color}, look.veins = tint.veins, look.rim = tint.rim;
+  return fmt::format("leaf_{}.png", made_id(fmt::format("{} {}", keys_of(std::move(look)).look, spots)));
+}
+
+std::vector<LeafLook> variants(const LeafLook& look) {
+  std::vector<LeafLook> all{look};
+  if (auto side = side_sprigs(look)) all.push_back(std::move(*side));
+  return all;
+}
 
 Drawing drawing_of(std::string name, double pixels, double seconds_a_pixel, std::function<Raster()> draw) {
   auto made = [name, draw = std::move(draw)]() -> Result<std::vector<Picture>> {

@@ -77,6 +77,13 @@ LeafImage leaf_image(const LeafLook& look, std::size_t color);
 /// A leaf as an organ of a model, with the names of its pictures; `phase`, radians, varies the curl.
 Prototype leaf_prototype(const LeafLook& look, double phase = 0);
 
+/// The look itself and, behind it, that of the sprigs along branches, where they are others than those at
+/// their ends.
+std::vector<LeafLook> variants(const LeafLook& look);
+
+/// The name of a look's picture in one of its colours: of all that it shows, the leaf in that colour alone.
+std::string picture_name(LeafLook look, std::size_t color);
+
 /// Its prototype and, behind it, that of the sprigs along branches, where they are others than those at their
 /// ends.
 std::vector<Prototype> leaf_prototypes(const LeafLook& look);

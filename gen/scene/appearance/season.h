@@ -1,9 +1,9 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
+#include "appearance/flight.h"
 #include "appearance/fruiting.h"
 #include "appearance/leaf_look.h"
 #include "core/curve.h"
@@ -70,9 +70,6 @@ LeafState leaf_state(const Seasons& seasons, double year, Seed leaf);
 
 /// Share of the full leaf area that is on the twigs, 0..1.
 double leaf_area_share(const Seasons& seasons, double year);
-
-/// Height of the ground at x, z; empty: leaves do not lie on it.
-using GroundAt = std::function<double(double, double)>;
 
 /// Changes leaves in full summer state, with the prototypes made by the functions above, to their state at a
 /// time in seconds: unfolded, coloured, falling, lying or gone; adds the flowers and the fruit. Smooth in

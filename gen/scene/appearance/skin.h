@@ -1,5 +1,6 @@
 #pragma once
 
+#include "appearance/color_shift.h"
 #include "core/vec.h"
 #include "model/solid.h"
 
@@ -16,9 +17,7 @@ struct Pores {
 struct Tint {
   Color base{0.85f, 0.45f, 0.35f};       ///< of the walls between the pores
   Color secondary{0.45f, 0.14f, 0.14f};  ///< in the pores
-  double hue = 0;                        ///< radians, hue rotation of both
-  double saturation = 1;                 ///< factor
-  double value = 1;                      ///< factor
+  ColorCourse course;                    ///< of both
   double variation = 0.15;               ///< variation of brightness between corals
   double young = 0.6;                    ///< how much paler growing tips are, 0..1
   double young_length = 0.08;            ///< metres from a tip over which the paleness fades

@@ -5,12 +5,13 @@
 
 namespace frond {
 
-Vec3 tinted(const Color& color, const Tint& tint) {
-  // Turned round grey, with saturation and value.
-  Vec3 c = glm::angleAxis(static_cast<float>(tint.hue), glm::normalize(Vec3(1))) * linear(color);
-  float luminance = glm::dot(c, Vec3(0.30f, 0.59f, 0.11f));
-  c = glm::mix(Vec3(luminance), c, static_cast<float>(tint.saturation));
-  return glm::max(static_cast<float>(tint.value) * c, Vec3(0));
+Vec3 tinted(const Color& color, const Tint& tint) { return shifted(linear(color), tint.course.at(0)); }
+
+Skin skin_at(const Skin& skin, double time) {
+  Skin now = skin;
+  const ColorCourse& all = skin.tint.course;
+  now.tint.course = {all.hue.at(time), all.saturation.at(time), all.value.at(time)};
+  return now;
 }
 
 SkinColors old_skin(const Skin& skin) {
@@ -24,7 +25,7 @@ SkinColors young_skin(const Skin& skin) {
   switch (skin.kind) {
     case SkinKind::stony: {
       // The skeleton shines through tissue that is still thin, and its pits are shallow.
-      Vec3 tip = 0.55f * old.tissue + 0.45f * static_cast<float>(skin.tint.value) * kLime;
+      Vec3 tip = 0.55f * old.tissue + 0.45f * static_cast<float>(skin.tint.course.value.at(0)) * kLime;
       Vec3 tissue = glm::mix(old.tissue, tip, 0.85f * young * young);
       return {tissue, glm::mix(old.pits, tissue, 0.5f * young)};
     }

@@ -11,8 +11,11 @@ struct SkinColors {
   Vec3 tissue{0}, pits{0};
 };
 
-/// A colour with a coral's hue, saturation and value.
+/// A colour with a coral's hue, saturation and value, those at the beginning of the film.
 Vec3 tinted(const Color& color, const Tint& tint);
+
+/// A skin whose hue, saturation and value are those of a time, in seconds, at all times.
+Skin skin_at(const Skin& skin, double time);
 
 /// The colours of old skin, and of skin at growing tips.
 SkinColors old_skin(const Skin& skin);

@@ -226,6 +226,9 @@ void describe(Properties& v, Organism& o) {
          "Edits of branches by hand: cuts, bends, limbs that grow stronger, are bare or wear another bark");
   v.object("sown", o.sown, "Makes copies of a few models and sows them over the land, `count` of them");
   v.object("body", o.style, "What their branches are drawn as");
+  v.object("health", o.courses.health,
+           "How they fare over the film: a value or keyframes. For what lives; without it they are healthy");
+  v.object("tint", o.courses.tint, "How all their colours change over the film; without it they stay");
 }
 
 void describe_rest(KeyWriter& v, Organism& o) {

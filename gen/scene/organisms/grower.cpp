@@ -80,6 +80,7 @@ void apply_appearance(Specimen& specimen, const Appearance& appearance, const Wo
   specimen.brightness = 1 + appearance.variation * seed.child("brightness").range(-1, 1);
   specimen.motion = appearance.motion;
   specimen.motion.film_length = world.film_length();
+  specimen.motion.growth = paced(appearance.motion.growth, length_of(specimen.model));
   specimen.motion.growth.start += appearance.motion.growth.stagger * seed.child("start").unit();
   specimen.motion.wave.phase += seed.child("phase").range(-0.6, 0.6);
   specimen.life.season = appearance.season;

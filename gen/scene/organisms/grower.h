@@ -123,6 +123,8 @@ struct GrowerTraits {
   Errors (*faults_together)(std::span<const Organism* const> all, double relief) = nullptr;
 
   bool creeps() const { return hosts != nullptr; }
+  /// Whether it lives, so that its health tells.
+  bool lives() const { return colony || branches || creeps(); }
   bool swims() const { return stage == GrowthStage::swimming; }
   /// Whether it may stand on bodies, as `place.on` says: what competes for space may.
   bool stands_on_bodies() const { return stage == GrowthStage::in_space; }

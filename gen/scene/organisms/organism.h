@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "appearance/condition.h"
 #include "core/vec.h"
 #include "land/sow.h"
 #include "organisms/grower.h"
@@ -81,6 +82,7 @@ struct Organism {
   std::vector<Edit> edits;     ///< of its branches by hand
   std::optional<Sowing> sown;  ///< copies of a few models, sown over the land
   Style style;
+  Courses courses;                       ///< its health and its colours over the film
   std::shared_ptr<const Grower> grower;  ///< its kind with its parameters; never null after reading
 };
 

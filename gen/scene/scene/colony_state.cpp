@@ -27,7 +27,7 @@ Skin skin_in(const Skin& skin, ColonyState state) {
   // The tint's own factors are of the tissue.
   bare.tint.base = color_in(skin.tint.base, state),
   bare.tint.secondary = color_in(skin.tint.secondary, state);
-  bare.tint.hue = 0, bare.tint.saturation = bare.tint.value = 1, bare.tint.young = 0;
+  bare.tint.course = {}, bare.tint.young = 0;
   bare.polyps.width = bare.polyps.glow = 0;
   return bare;
 }

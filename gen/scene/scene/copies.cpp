@@ -119,7 +119,7 @@ std::string copy_id(const Organism& organism, int which, bool bare) {
   return made_id(id);
 }
 
-TintShift tint_shift(const CopyTint& tint, int number) {
+ColorShift tint_shift(const CopyTint& tint, int number) {
   // Steps that are no multiples of each other, so that the three do not go together.
   auto spread = [&](int step) { return 2.0 * ((number * step) % kTints + 0.5) / kTints - 1; };
   return {tint.hue * spread(5), 1 + tint.saturation * spread(7), 1 + tint.value * spread(1)};
@@ -145,6 +145,13 @@ Organs copy_organs(const Organism& organism, int which, const Model& full, const
   Organs now = full.organs;
   in_season(now, full.prototypes, seasons, time, model_seed(organism, which).child("season"));
   return now;
+}
+
+std::optional<Condition> copy_condition(const Organism& organism, int which) {
+  if (!organism.courses.health && !organism.courses.tint && !organism.grower->traits().colony)
+    return std::nullopt;
+  return condition_of(organism.courses, organism.grower->appearance().look,
+                      model_seed(organism, which).child("courses"));
 }
 
 Appearance copy_appearance(const Organism& organism) {

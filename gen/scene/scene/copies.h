@@ -36,13 +36,8 @@ class ModelBlocks {
   std::vector<glm::ivec3> cells_;  // in order
 };
 
-/// What a tint of copies does to a colour.
-struct TintShift {
-  double hue = 0;                    ///< radians that it turns about the axis of greys
-  double saturation = 1, value = 1;  ///< factors
-};
 /// Tint `number`, of kTints: they are spread evenly over the range of a copy set, so that all of it occurs.
-TintShift tint_shift(const CopyTint& tint, int number);
+ColorShift tint_shift(const CopyTint& tint, int number);
 
 /// A part of a model that has one look.
 struct CopyPart {
@@ -72,9 +67,12 @@ std::optional<Seasons> copy_seasons(const Organism& organism, const Film& film);
 Organs copy_organs(const Organism& organism, int which, const Model& full, const Seasons& seasons,
                    double time);
 
-/// How the copies of model `which` of a sown organism grow over a film, all of them together; nothing where
-/// they stand as they are.
+/// How the copies of model `which` of a sown organism grow over a film, all of them together, see paced();
+/// nothing where they stand as they are.
 std::optional<Growth> copy_growth(const Organism& organism, const Film& film, int which);
+
+/// What changes the look of model `which` of a sown organism over a film: nothing where it stays as it is.
+std::optional<Condition> copy_condition(const Organism& organism, int which);
 
 /// A model with what growth has reached of it at a time; nothing before it begins.
 std::optional<Model> grown_by(const Model& model, const Motion& motion, double time);

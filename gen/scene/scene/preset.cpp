@@ -91,6 +91,12 @@ void check_organism(const Organism& organism, const Value& written, std::size_t 
   add(faults, review.faults);
   if (review.faults.empty()) add(warnings, review.warnings);
   add(faults, edit_faults(organism));
+  if (const Growth growth = organism.grower->appearance().motion.growth; growth.rate > 0 && !growth.by_rate())
+    faults.add(organism_fault(written, index, "/growth/rate",
+                              "found no years_a_second beside it; expected how many years pass in a second"));
+  if (organism.courses.health && !organism.grower->traits().lives())
+    faults.add(
+        organism_fault(written, index, "/health", "is for what lives; expected none, or another kind"));
   add(warnings, edit_warnings(organism));
 }
 

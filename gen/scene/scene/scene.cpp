@@ -254,7 +254,7 @@ Result<Scene> build_all(const Preset& preset, const ProgressSink& watch, Specime
   note_growth(scene, preset);
   for (const Organism& organism : preset.organisms)
     if (organism.count > 0 || (organism.sown && (preset.stand || preset.reef || preset.setup.far))) {
-      Look look = organism.grower->appearance().look;
+      Look look = ail_look(organism.grower->appearance().look, organism.courses);
       add_other_barks(look.branches, organism.edits);
       std::ranges::move(drawings(look), std::back_inserter(scene.drawings));
     }

@@ -166,7 +166,7 @@ struct SkinPatch {
 };
 
 bool has_living_branches(const Specimen& s) {
-  return s.look.branches.living() && s.model.skeleton.size() > 0 && !s.life.changes();
+  return s.look.branches.living() && s.model.skeleton.size() > 0 && !s.life.reshapes();
 }
 
 /// The light of each vertex of a solid, placed as the i-th of coral `own`; empty where nearly all is left.

@@ -142,7 +142,8 @@ class SceneBuilder {
     return true;
   }
 
-  /// Grows beds and edits them by hand; both are kept, so that another edit grows nothing anew.
+  /// Grows beds, edits them by hand and lets them fare as their entries say; what has grown is kept as well,
+  /// so that another edit or another health grows nothing anew.
   Errors grow(const std::vector<Bed>& beds, const World& world, const std::string& key,
               const std::string& unedited, std::vector<Specimen>& specimens) {
     stay_wanted();
@@ -159,6 +160,7 @@ class SceneBuilder {
     parallel_for(specimens.size(), [&](std::size_t i) {
       auto [bed, planting] = bed_of(beds, i);
       edit_specimen(specimens[i], edits_of(bed->organism->edits, planting));
+      set_courses(specimens[i], *bed, planting, world);
       Life& life = specimens[i].life;
       if (!cache_) life.edit = {};
       if (!life.edit && !life.develop) life.held = 0;
@@ -166,6 +168,13 @@ class SceneBuilder {
     });
     if (cache_) cache_->keep(key, specimens);
     return {};
+  }
+
+  static void set_courses(Specimen& specimen, const Bed& bed, std::size_t planting, const World& world) {
+    const Courses& courses = bed.organism->courses;
+    const Seed seed = planting < bed.plantings.size() ? bed.plantings[planting].seed : bed.seed;
+    frond::set_courses(specimen, courses, seed.child("courses"));
+    if (courses.health && courses.health->sheds > 0) specimen.life.ground = world.ground();
   }
 
   /// The bed that the i-th of what some beds have grown belongs to, and which of its plantings it is.
@@ -178,7 +187,8 @@ class SceneBuilder {
     return {&beds.back(), i};
   }
 
-  /// The key of the same beds without edits that need not be grown; empty if there are none.
+  /// The key of the same beds without edits and courses, for which nothing need be grown; empty if there are
+  /// none.
   std::string before_edits(std::vector<Bed> beds, GrowthStage stage, const Territories& territories) const {
     std::vector<Organism> organisms;
     organisms.reserve(beds.size());
@@ -186,6 +196,8 @@ class SceneBuilder {
     for (Bed& bed : beds) {
       Organism& organism = organisms.emplace_back(*bed.organism);
       any = std::erase_if(organism.edits, [](const Edit& edit) { return !edit.dated(); }) > 0 || any;
+      any = any || organism.courses.health || organism.courses.tint;
+      organism.courses = {};
       bed.organism = &organism;
     }
     return any ? keys_of_beds(beds, stage, territories).all : "";

@@ -102,6 +102,25 @@ void edit_specimen(Specimen& specimen, std::span<const Edit> edits) {
     };
 }
 
+void set_courses(Specimen& specimen, const Courses& courses, Seed seed) {
+  std::optional<Condition> condition = condition_of(courses, specimen.look, seed);
+  if (!condition) return;
+  Life& life = specimen.life;
+  lay_turf(*condition, specimen.model.solids);
+  // It is copied for each frame: what its bodies were as they grew is left out where no film sees that.
+  if (specimen.motion.growth.duration <= 0)
+    for (Solid& solid : specimen.model.solids.shapes) solid.past.clear();
+  add_ailing(specimen.model, specimen.look, courses);
+  if (life.develop)
+    life.develop = [develop = life.develop, worn = specimen.look, courses](double time) {
+      Result<Model> now = develop(time);
+      if (now) add_ailing(*now, worn, courses);
+      return now;
+    };
+  specimen.look = ail_look(specimen.look, courses);
+  life.condition = std::move(condition);
+}
+
 Surface skin_of(const Model& model) {
   Surface skin = model.hull.triangle.empty() ? merged(model.solids) : model.hull;
   skin.uv.clear();
@@ -121,10 +140,13 @@ Result<std::shared_ptr<const Specimen>> developed(const Specimen& specimen, doub
   if (!model) return model.errors();
   Specimen now{specimen, std::move(*model)};
   if (life.develop) now.motion.growth = {};  // it is revealed already
-  if (life.season) {
-    GroundAt ground;
-    if (life.ground) ground = [&](double x, double z) { return (*life.ground)(x, z); };
+  GroundAt ground;
+  if (life.ground) ground = [&](double x, double z) { return (*life.ground)(x, z); };
+  if (life.season)
     in_season(now.model.organs, now.model.prototypes, *life.season, time, life.season_seed, ground);
+  if (life.condition) {
+    put_in(now.model, *life.condition, time, ground);
+    now.look = look_at(specimen.look, *life.condition, time), now.shift = life.condition->shift(time);
   }
   if (const auto& sway = specimen.motion.sway) set_wind(now, sway->wind);
   return std::make_shared<const Specimen>(std::move(now));

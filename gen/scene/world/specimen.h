@@ -7,6 +7,7 @@
 #include <string>
 
 #include "appearance/appearance.h"
+#include "appearance/condition.h"
 #include "core/curve.h"
 #include "core/seed.h"
 #include "creeping/crawl.h"
@@ -42,6 +43,7 @@ struct Life {
   std::function<Result<Model>(double)> develop;
   std::optional<Seasons> season;  ///< if given, its organs are in full summer leaf
   Seed season_seed;
+  std::optional<Condition> condition;     ///< if given, its look is another at each time
   std::shared_ptr<const Heights> ground;  ///< on which its leaves fall, and it itself
   std::shared_ptr<const Fall> fall;       ///< of a tree that loses its balance
   std::optional<Hanging> hanging;
@@ -50,8 +52,10 @@ struct Life {
   std::function<double(double)> age;  ///< years, at a time in seconds; empty: it does not grow over years
   std::size_t held = 0;               ///< bytes of memory of `develop` and `edit`, if significant
 
-  /// Whether its shape differs in each frame; see developed().
-  bool changes() const { return develop || season; }
+  /// Whether its shape differs in each frame.
+  bool reshapes() const { return develop || season; }
+  /// Whether its shape or its look does; see developed().
+  bool changes() const { return reshapes() || condition; }
 };
 
 /// The snow on the branches of a specimen.
@@ -85,6 +89,7 @@ struct Traits {
   Placement placement{};         ///< of the frame that it grew in, upright
   Look look{};
   double brightness = 1;  ///< its individual factor
+  ColorShift shift{};     ///< what its pictures are changed by, of one that is developed()
   Motion motion{};
   Style style{};  ///< its voxel is never 0
   Life life{};
@@ -112,6 +117,9 @@ Surface skin_of(const Model& model);
 
 /// Edits it by hand, at all times of its life.
 void edit_specimen(Specimen& specimen, std::span<const Edit> edits);
+
+/// Lets it fare as its entry says, at all times of its life; its leaves fall on the ground that it knows.
+void set_courses(Specimen& specimen, const Courses& courses, Seed seed);
 
 /// Lets it sway in a wind, by its wood and leaves.
 void set_wind(Specimen& specimen, std::shared_ptr<const WindField> wind);

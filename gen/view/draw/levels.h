@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -40,6 +41,13 @@ struct Drawn {
   std::int16_t level = 0;
 };
 
+/// What frames have to know of a model, at one level, whose copies change their look over a film.
+struct WornModel {
+  Condition condition;
+  Model model;  ///< its prototypes, with the colours of failing health, and its materials, without meshes
+  std::vector<CopyPart> parts;
+};
+
 /// What is drawn of copies in each stretch of a film, some frames long. Each copy keeps its levels over
 /// several stretches, and from one stretch to the next few copies change theirs, by about the size of a
 /// pixel, so that nothing pops.
@@ -52,6 +60,9 @@ struct CopyPlan {
   /// Models that the film sees grow or change their leaves, by copy set and number: what is there of them is
   /// written in each frame. Of those that change their leaves it holds nothing else.
   std::map<std::pair<std::size_t, int>, std::shared_ptr<const Model>> growing;
+
+  /// Models whose look the film sees change, by copy set, number and level.
+  std::map<std::tuple<std::size_t, int, int>, std::shared_ptr<const WornModel>> worn;
 
   std::size_t stretch_of(int frame) const {
     return std::min(static_cast<std::size_t>((frame - 1) / stretch), drawn.size() - 1);

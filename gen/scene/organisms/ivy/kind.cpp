@@ -279,6 +279,7 @@ class IvyGrower final : public Described<IvyParams, BedGrower> {
     specimen.look = worn.look;
     specimen.brightness = 1 + worn.variation * bed.seed.child("brightness").range(-1, 1);
     specimen.motion = worn.motion;
+    specimen.motion.growth = paced(worn.motion.growth, length_of(specimen.model));
     specimen.motion.film_length = world.film_length();
     if (!params.crawl.trace) {
       set_walk(specimen, std::move(ivy->strands), world, bed.seed.child("grow").child("walkers"));

@@ -179,6 +179,7 @@ void describe(Properties& v, TreeParams& t) {
   v.object("season", t.season, "The course of the year for its leaves; without it they stay as they are");
   v.object("wave", t.wave, "Swaying in the wind");
   v.object("growth", t.growth, "When it grows in the film, all cycles in the same time");
+  if (double pace = t.growth.years_a_second; pace > 0) t.growth.duration = t.years / pace;
   v.aspect(Aspect::shape, "growth");  // a tree stands as its years have left it by then
 }
 

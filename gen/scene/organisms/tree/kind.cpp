@@ -82,6 +82,8 @@ class TreeGrower final : public Described<TreeParams, Grower>, public Perennial 
     if (axes_of(*axes_of_guide(params.guide)).size() > 1)
       return {{{"/guide", "forks; expected one line: the stem of a tree that grows for light has one"}}};
     if (Errors errors = season_faults(params.season); !errors.empty()) return {errors};
+    if (params.growth.rate > 0)
+      return {{{"/growth/rate", "found one; expected none, as trees grow in years of their own"}}};
     return {check_pictures(params.coat, params.leaves.picture, "/leaves/picture/pixels")};
   }
   std::shared_ptr<const Grower> coarse(double share) const override {
