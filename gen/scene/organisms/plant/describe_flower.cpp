@@ -155,9 +155,9 @@ void describe(Properties& v, Inflorescence& i) {
   v.text("bract", i.bract,
          "Symbol of the organ below each flower, or round an umbel or a head; without it there is none");
   v.integer("flowers", i.flowers, {.min = 1, .max = 2000}, "Number of flowers; rays are not counted");
-  v.integer("rays", i.rays, {.min = 0, .max = 400}, "Number of rays. Needs `ray`");
+  v.integer("rays", i.rays, {.min = 0, .max = 400}, "Number of rays, where there is a `ray`");
   v.integer("involucre", i.involucre, {.min = 0, .max = 400},
-            "Number of bracts round an umbel or a head. Needs `bract`");
+            "Number of bracts round an umbel or a head, where there is a `bract`");
   v.number("bare", i.bare, {.min = 0, .max = 0.98}, "Share of the axis below the lowest flower");
   v.number("pedicel", i.pedicel, metres(0, 10),
            "Length of a flower's stalk; it grows where flowers need room");
