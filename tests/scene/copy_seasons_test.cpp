@@ -144,5 +144,20 @@ TEST(CopySeasons, FruitOfNearCopiesIsABody) {
   }
 }
 
+TEST(CopySeasons, WhatHasOneAndIsToGrowIsNoted) {
+  auto notes = [](const std::string& more) {
+    return build_scene(*read_preset(R"({"film": {"frames": 3}, "scene": {"setting": "forest"}, "organisms": [
+        {"kind": "plant", "name": "herb", "count": 2, "growth": {"duration": 2}, "sown": {"models": 1},
+         "grammar": {"axiom": "FF"})" + more +
+                                        "}]}",
+                                    "test.json", {}))
+        ->notes;
+  };
+  const std::string said =
+      "herb: its growth does nothing, since what is sown and has a season stands as it is";
+  EXPECT_EQ(std::ranges::count(notes(""), said), 0);
+  EXPECT_EQ(std::ranges::count(notes(R"(, "season": {"at": 0.5})"), said), 1);
+}
+
 }  // namespace
 }  // namespace frond

@@ -196,6 +196,13 @@ void note_growth(Scene& scene, const Preset& preset) {
       // One of many like it is enough.
       if (std::ranges::find(scene.notes, line) == scene.notes.end()) scene.notes.push_back(line);
     }
+  for (const CopySet& set : scene.copy_sets) {
+    const Appearance looks = set.organism.grower->appearance();
+    if (scene.film.frames > 1 && looks.motion.growth.duration > 0 && looks.season &&
+        !set.organism.grower->perennial())
+      scene.notes.push_back(set.organism.name +
+                            ": its growth does nothing, since what is sown and has a season stands as it is");
+  }
 }
 
 void note_camera(Scene& scene, const Preset& preset) {
