@@ -66,7 +66,7 @@ TEST(PlantText, OrgansWithALusterAreGlossyAboveAndMattBelow) {
     {"kind": "plant", "grammar": {"axiom": "F~L"}, "organs": [{"symbol": "L", "shape": "picture", "picture":
       {"luster": {"through": 0.4, "gloss": 0.3, "yellow": 0.5}}}]}]})";
   std::string text = text_of(*build_scene(*read_preset(yellow, "x", {})), 1);
-  EXPECT_EQ(count(text, ",0.4,0.5,0.3,0)}interior_texture{Tree_Lit(\"leaf_"), 1u);
+  EXPECT_EQ(count(text, ",0.4,0.5,0.3,0)}interior_texture{Tree_Lit_Under(\"leaf_"), 1u);
   EXPECT_FALSE(read_preset(R"({"organisms": [{"kind": "plant", "grammar": {"axiom": "F~L"}, "organs":
     [{"symbol": "L", "shape": "picture"}]}]})",
                            "x", {})

@@ -28,11 +28,10 @@ constexpr std::string_view kHollow = " hollow ";
 /// The texture of a leaf that shows the picture `name`.
 std::string picture_look(std::string_view name, std::size_t shade, const std::optional<Luster>& luster) {
   if (luster && luster->yellow > 0) {
-    auto side = [&](double gloss) {
-      return fmt::format("Tree_Lit(\"{}\",{},{:.4g},{:.4g},{:.4g},{:.4g})", name, shade, luster->through,
-                         luster->yellow, gloss, luster->relief);
-    };
-    return fmt::format("texture{{{}}}interior_texture{{{}}}{}", side(luster->gloss), side(0), kHollow);
+    std::string leaf = fmt::format("\"{}\",{},{:.4g},{:.4g}", name, shade, luster->through, luster->yellow);
+    return fmt::format(
+        "texture{{Tree_Lit({0},{1:.4g},{2:.4g})}}interior_texture{{Tree_Lit_Under({0},{2:.4g})}}{3}", leaf,
+        luster->gloss, luster->relief, kHollow);
   }
   return lustrous(fmt::format("Tree_Leaf(\"{}\",{})", name, shade), luster, "Tree_Veined", name)
       .append(kHollow);

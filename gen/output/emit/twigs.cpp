@@ -24,14 +24,12 @@ std::string twig_name(std::size_t kept, std::size_t part) { return fmt::format("
 /// hollow, since POV-Ray has no fog within what is not.
 std::string picture_text(const std::optional<Luster>& luster) {
   if (!luster) return "texture{Twig_Picture(Twig_Pictures,0.62,0.34,0.13)} hollow ";
-  auto side = [&](double gloss) {
-    if (is_lit(luster))
-      return fmt::format("Twig_Lit(Twig_Pictures,Twig_Halves,{:.4g},{:.4g},{:.4g})", luster->through,
-                         luster->yellow, gloss);
-    return fmt::format("Twig_Picture(Twig_Pictures,{:.4g},{:.4g},{:.4g})", 0.94 * (1 - luster->through),
-                       0.94 * luster->through, gloss);
-  };
-  return "texture{" + side(luster->gloss) + "}interior_texture{" + side(0) + "} hollow ";
+  const bool lit = is_lit(luster);
+  const std::string leaf =
+      lit ? fmt::format("Twig_Pictures,Twig_Halves,{:.4g},{:.4g}", luster->through, luster->yellow)
+          : fmt::format("Twig_Pictures,{:.4g},{:.4g}", 0.94 * (1 - luster->through), 0.94 * luster->through);
+  return fmt::format("texture{{{0}({1},{2:.4g})}}interior_texture{{{0}_Under({1})}} hollow ",
+                     lit ? "Twig_Lit" : "Twig_Picture", leaf, luster->gloss);
 }
 
 /// What is declared for a look and its textures.
