@@ -154,8 +154,8 @@ camera { location 0 look_at y sky z angle 0.1 }
     return [linear(c) for c in picture_of(scene, [], folder)[WIDTH * HEIGHT // 2 + WIDTH // 2]]
 
 
-def leaf_in_light(folder, texture, behind):
-    """Red, green and blue of a leaf of one colour with the sun before it or behind it."""
+def leaf_in_light(folder, texture, behind, turned=False):
+    """Red, green and blue of a leaf of one colour with the sun before it or behind it, or of the other side of the leaf."""
     (folder / "leaf.ppm").write_bytes(b"P6 2 2 255 " + bytes([125, 150, 110] * 4))
     subprocess.run(["ffmpeg", "-loglevel", "error", "-y", "-i", folder / "leaf.ppm", folder / "leaf.png"], check=True)
     scene = folder / "leaf.pov"
@@ -174,6 +174,7 @@ mesh2 {{
   uv_vectors {{ 4, <0.1, 0.1>, <0.9, 0.1>, <0.9, 0.9>, <0.1, 0.9> }}
   face_indices {{ 2, <0, 1, 2>, <0, 2, 3> }}
   texture {{ {texture} }}
+  rotate {180 if turned else 0}*y
 }}
 """)
     return [linear(c) for c in picture_of(scene, [], folder)[WIDTH * HEIGHT // 2]]
@@ -224,6 +225,13 @@ def main():
                 light = [a / b for a, b in zip(*(leaf_in_light(folder, how, behind) for how in (lit, plain)))]
                 good &= check(f"a {name}'s leaf {'against' if behind else 'before'} the sun",
                               all(abs(a / b - 1) < 0.04 for a, b in zip(light, expected)), " ".join(f"{a:.3f}" for a in light))
+        # Both of its sides throw light back and let it through.
+        sided = 'Tree_Lit("leaf.png",1,0.4,1,0,0) } interior_texture { Tree_Lit_Under("leaf.png",1,0.4,1,0)'
+        for behind in (False, True):
+            sides = [leaf_in_light(folder, sided, behind, turned) for turned in (False, True)]
+            good &= check(f"both sides of a leaf {'against' if behind else 'before'} the sun",
+                          all(abs(a / b - 1) < 0.02 for a, b in zip(*sides)) and min(sides[0]) > 0.01,
+                          " ".join(f"{a:.3f} ({b:.3f})" for a, b in zip(*sides)))
         # The qualities bring what they cost: errors of the root of the mean square against 49 samples in each pixel.
         flags = {quality: re.search(r"^flags = (.*)$", frond_flags(folder / quality, quality), re.MULTILINE)[1].split()
                  for quality in ("draft", "good", "best")}
