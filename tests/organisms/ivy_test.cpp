@@ -189,6 +189,36 @@ TEST(Ivy, DropsLeavesThatFindNoPlace) {
   EXPECT_LT(placed, 0.9 * static_cast<double>(ivy_on_wall(params).model.organs.size()));
 }
 
+TEST(Ivy, BearsTendrilsOppositeItsLeavesOnlyWhereTheyAreAsked) {
+  IvyParams params = small_ivy();
+  Ivy plain = ivy_on_wall(params);
+  Tendrils& tendrils = params.tendrils.emplace();
+  tendrils.pads = true, tendrils.reach = 0.06, tendrils.every = 2;
+  Ivy ivy = ivy_on_wall(params);
+  EXPECT_EQ(ivy.model.find_fault(), "");
+  std::size_t strands = plain.model.skeleton.size();
+  ASSERT_GT(ivy.model.skeleton.size(), strands + 500);
+  EXPECT_EQ(plain.strands.size(), strands) << "none without the property";
+  EXPECT_EQ(ivy.strands.size(), ivy.model.skeleton.size());
+  EXPECT_EQ(ivy.model.organs.position, plain.model.organs.position) << "leaves are as without them";
+  // They have a colour of their own; strands keep theirs.
+  auto own = static_cast<std::int32_t>(params.bark.colors.size());
+  for (std::size_t i = 0; i < ivy.model.skeleton.size(); ++i)
+    EXPECT_EQ(ivy.model.color[i], i < strands ? plain.model.color[i] : own);
+  std::map<std::int32_t, Vec3> tips;  // of the first leaf of a node
+  const Organs& o = ivy.model.organs;
+  for (std::size_t i = 0; i < o.size(); ++i) tips.emplace(o.node[i], o.turn[i] * Vec3(0, 1, 0));
+  int same = 0, opposite = 0;
+  const Skeleton& s = ivy.model.skeleton;
+  for (std::size_t i = strands; i + 4 < s.size(); ++i) {
+    if (s.parent[i] >= static_cast<std::int32_t>(strands)) continue;
+    Vec3 way = s.position[i + 4] - s.position[s.parent[i]];
+    (glm::dot(way, tips.at(s.parent[i])) < 0 ? opposite : same)++;
+  }
+  EXPECT_GT(opposite, 20);
+  EXPECT_GT(opposite, 4 * same);
+}
+
 /// A mask that is projected along z over the wall, white where a function of shares of its sides says so.
 CrawlMask projected(const std::function<bool(double, double)>& white) {
   constexpr int kSide = 64;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 
 #include "organisms/ivy/ivy_rest.h"
@@ -92,6 +93,34 @@ std::vector<std::int32_t> bark_ages(const Skeleton& s, std::size_t colors, doubl
   return age;
 }
 
+/// Where tendrils are: at each so many leaves of a strand one, opposite to its leaf.
+std::vector<TendrilSite> tendril_sites(const Ivy& ivy, int every) {
+  const Organs& leaves = ivy.model.organs;
+  std::vector<std::size_t> order(leaves.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return leaves.node[i]; });
+  std::vector<TendrilSite> sites;
+  std::int32_t strand = -1;
+  int passed = 0;
+  for (std::size_t i : order) {
+    std::int32_t node = leaves.node[i];
+    if (ivy.strands.of[node] != strand) strand = ivy.strands.of[node], passed = 0;
+    if (passed++ % every == 0) sites.push_back({node, leaves.turn[i] * Vec3(0, -1, 0)});
+  }
+  return sites;
+}
+
+/// Adds them to strands and model. They have the colour after those of the bark.
+void grow_tendrils(Ivy& ivy, const IvyParams& params, const Support& under, Seed seed) {
+  constexpr double kSlower = 3;  // than a strand a tendril grows
+  const Crawl& crawl = params.crawl;
+  double time = kSlower * params.tendrils->reach / (crawl.speed * crawl.max_age);
+  add_tendrils(ivy.strands, under.host, tendril_sites(ivy, params.tendrils->every), *params.tendrils, time,
+               seed, under.ground);
+  ivy.model.skeleton = ivy.strands.skeleton;
+  ivy.model.color.resize(ivy.model.skeleton.size(), static_cast<std::int32_t>(params.bark.colors.size()));
+}
+
 /// Why nothing of it grows; a pointer below the organism and the reason.
 Error rootless(const Crawl& crawl, const TriangleSurface& host) {
   DVec3 low = host.low(), high = host.high();
@@ -125,6 +154,7 @@ Result<Ivy> grow_ivy(const IvyParams& params, const TriangleSurface& host, const
   ivy.model.skeleton = ivy.strands.skeleton;
   ivy.model.color = bark_ages(ivy.model.skeleton, params.bark.colors.size(), params.crawl.radius);
   add_ivy_leaves(ivy.model, ivy.strands, params.leaves, under, seed.child("leaves"));
+  if (params.tendrils) grow_tendrils(ivy, params, under, seed.child("tendrils"));
   return ivy;
 }
 

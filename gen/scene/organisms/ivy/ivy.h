@@ -9,6 +9,7 @@
 #include "core/result.h"
 #include "core/seed.h"
 #include "creeping/swing.h"
+#include "creeping/tendrils.h"
 #include "creeping/triangle_surface.h"
 #include "model/model.h"
 #include "motion/motion.h"
@@ -63,7 +64,8 @@ struct IvyParams {
   double above = 0.02;          ///< metres above the host's lowest point of such roots
   Crawl crawl;
   IvyLeaves leaves;
-  Walkers walkers;  ///< where `crawl` leaves no trace
+  std::optional<Tendrils> tendrils;  ///< none without it
+  Walkers walkers;                   ///< where `crawl` leaves no trace
   Bark bark{BarkKind::bark, {{0.31f, 0.25f, 0.18f}, {0.29f, 0.27f, 0.16f}, {0.33f, 0.31f, 0.15f}}};
   Flutter flutter;
   Breeze breeze;

@@ -157,6 +157,23 @@ void describe(Properties& v, IvyLeaves& l) {
   v.aspect(Aspect::motion, "unfold");
 }
 
+void describe(Properties& v, Tendrils& t) {
+  v.integer("every", t.every, {.min = 1, .max = 1000}, "Number of leaves from one tendril to the next");
+  v.number("reach", t.reach, metres(0.005, 5), "How far from its node a tendril finds something to hold");
+  v.number("turns", t.turns, {.min = 0.2, .max = 20}, "Number of turns round a thin support");
+  v.number("coils", t.coils, {.min = 0, .max = 30},
+           "Number of turns of a free part to either hand, once it has coiled");
+  v.number("coil", t.coil, metres(0, 0.5), "Radius of these turns");
+  v.number("behind", t.behind, metres(0, 10), "Length below a tip that has no tendrils yet");
+  v.number("radius", t.radius, metres(0.00005, 0.1), "Radius of a tendril at its foot");
+  v.boolean("pads", t.pads, "Whether tendrils hold on to walls, by short branches with adhesive pads");
+  v.integer("branches", t.branches, {.min = 1, .max = 12}, "Number of these branches");
+  v.number("pad", t.pad, metres(0.0001, 0.1), "Radius of a pad");
+  v.number("waste", t.waste, kShare, "Share of the tendrils that hold nothing which are kept");
+  v.color("color", t.color, "Colour of tendrils");
+  v.aspect(Aspect::look, "color");
+}
+
 void describe(Properties& v, Walkers& w) {
   v.aspect(Aspect::look);
   v.file(
@@ -203,6 +220,7 @@ void describe(Properties& v, IvyParams& i) {
            "Height above the host's lowest point up to which roots without a place of their own stand");
   v.object("crawl", i.crawl, "How strands creep");
   v.object("leaves", i.leaves, "The leaves");
+  v.object("tendrils", i.tendrils, "Tendrils opposite to leaves; none without it");
   v.object("bark", i.bark, "Surface of the strands; its colours run from old wood to shoots");
   v.object("walkers", i.walkers, "What creeps where crawl leaves no trace");
   v.object("flutter", i.flutter, "How leaves tremble in the wind");
@@ -247,6 +265,8 @@ class IvyGrower final : public Described<IvyParams, BedGrower> {
     SizeEstimate ivy;
     ivy.nodes = std::min(steps * (1 + 1.5 * branches), static_cast<double>(crawl.most_nodes));
     ivy.organs = ivy.parts = 0.5 * ivy.nodes * crawl.speed / std::max(params.leaves.spacing, 1e-3);
+    if (const auto& t = params.tendrils)
+      ivy.nodes += ivy.organs / t->every * (30 * t->coils + 16 * t->turns + (t->pads ? 13 * t->branches : 0));
     ivy.shapes = kShapeTriangles;
     if (const auto& leaf = params.leaves.picture)
       ivy.shapes = kLeafTriangles * leaf->detail * (leaf->sprig ? 2 * leaf->sprigs.pairs + 1 : 1);
@@ -258,6 +278,7 @@ class IvyGrower final : public Described<IvyParams, BedGrower> {
   Appearance appearance() const override {
     Appearance appearance;
     appearance.look.branches = {.bark = params.bark};
+    if (params.tendrils) appearance.look.branches.bark->colors.push_back(params.tendrils->color);
     if (params.leaves.picture) appearance.look.organs.push_back(*params.leaves.picture);
     appearance.motion = {params.growth, {}, {}, 1, false, params.flutter, params.leaves.unfold};
     appearance.variation = params.bark.variation;
@@ -310,6 +331,8 @@ class IvyGrower final : public Described<IvyParams, BedGrower> {
     for (std::size_t i = 0; i < crawl.guides.size(); ++i)
       if (crawl.guides[i].curves().empty() && crawl.guides[i].file.empty())
         return {{fmt::format("/crawl/guides/{}", i), "expected at least two points, or a file of lines"}};
+    if (params.tendrils && !crawl.trace)
+      return {{"/tendrils", "have no strands to grow on; expected crawl without \"trace\": false"}};
     if (crawl.mask && crawl.mask->picture.along && crawl.mask->picture.file.empty())
       return {{"/crawl/mask/along", "has no picture to project; expected a file beside it"}};
     if (crawl.mask)
