@@ -162,8 +162,8 @@ std::optional<Twig> padded_twig(const Bearing& b, const DVec3& from, const DVec3
   std::vector<DVec3> line = coiled_line(from, 0.5 * (from + end) + 0.25 * length * n, end, 0, 0);
   if (!set_clear(b, line, thin)) return std::nullopt;
   Twig twig = twig_of(line, thin, thin, start, start + 0.4);
-  // Nodes across the wall that widen at once to its radius.
-  for (auto [off, wide] : {std::array{0.5, 0.45}, std::array{0.3, 0.85}, std::array{0.08, 1.0}}) {
+  // A ball that is sunk into the wall, so that a disc as wide as the pad is seen, two thirds as high.
+  for (auto [off, wide] : {std::array{0.35, 0.45}, std::array{-0.4, 1.08}}) {
     twig.at.push_back(near->point + off * t.pad * n);
     twig.radius.push_back(wide * t.pad);
     twig.time.push_back(start + 0.5);
