@@ -160,6 +160,10 @@ std::optional<Twig> padded_twig(const Bearing& b, const DVec3& from, const DVec3
   const DVec3& n = near->normal;
   DVec3 end = near->point + std::max(0.9 * t.pad, thin) * n;
   std::vector<DVec3> line = coiled_line(from, 0.5 * (from + end) + 0.25 * length * n, end, 0, 0);
+  // Walls bear very many, and half of the places do for so short a line.
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < line.size(); i += 2) line[kept++] = line[i];
+  line.resize(kept);
   if (!set_clear(b, line, thin)) return std::nullopt;
   Twig twig = twig_of(line, thin, thin, start, start + 0.4);
   // A ball that is sunk into the wall, so that a disc as wide as the pad is seen, two thirds as high.

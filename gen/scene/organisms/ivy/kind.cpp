@@ -266,7 +266,7 @@ class IvyGrower final : public Described<IvyParams, BedGrower> {
     ivy.nodes = std::min(steps * (1 + 1.5 * branches), static_cast<double>(crawl.most_nodes));
     ivy.organs = ivy.parts = 0.5 * ivy.nodes * crawl.speed / std::max(params.leaves.spacing, 1e-3);
     if (const auto& t = params.tendrils)
-      ivy.nodes += ivy.organs / t->every * (30 * t->coils + 16 * t->turns + (t->pads ? 13 * t->branches : 0));
+      ivy.nodes += ivy.organs / t->every * (30 * t->coils + 16 * t->turns + (t->pads ? 8 * t->branches : 0));
     ivy.shapes = kShapeTriangles;
     if (const auto& leaf = params.leaves.picture)
       ivy.shapes = kLeafTriangles * leaf->detail * (leaf->sprig ? 2 * leaf->sprigs.pairs + 1 : 1);
