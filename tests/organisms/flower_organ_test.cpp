@@ -127,11 +127,12 @@ TEST(FlowerOrgan, InflorescencesMayBearOthers) {
 
 TEST(FlowerOrgan, IsTheSameForTheSameSeedAndChangesNoOther) {
   PlantParams params = plant("F[+F~W]~I", {flower("W"), raceme("I", "W")});
+  params.organs[0].turn_variation = 0.3;
   Model a = flowering(params), b = flowering(params), c = flowering(params, 8);
   EXPECT_EQ(a.organs.position, b.organs.position);
   EXPECT_NE(a.organs.position, c.organs.position);
   // A leaf that comes before stays where it was.
-  PlantParams without = plant("F[+F~W]", {flower("W")});
+  PlantParams without = plant("F[+F~W]", {params.organs[0]});
   EXPECT_EQ(flowering(without).organs.turn[0], a.organs.turn[0]);
 }
 
@@ -145,6 +146,12 @@ TEST(FlowerOrgan, TellsWhatIsWrong) {
   EXPECT_NE(flower_faults(organs, 1)[0].what.find("an inflorescence"), std::string::npos);
   organs[1].inflorescence->flower = "W";
   EXPECT_TRUE(flower_faults(organs, 1).empty());
+  organs[1].inflorescence->flowers = 501;
+  EXPECT_EQ(flower_faults(organs, 1)[0].where, "/inflorescence/flowers");
+  organs[1].inflorescence->flowers = 500;
+  organs.push_back(raceme("J", "I", 300));
+  EXPECT_EQ(flower_faults(organs, 2)[0].what,
+            "bears 150000 florets with what they bear; expected at most 100000");
   organs[0].diagram->whorls[2].marks.emplace();
   EXPECT_EQ(flower_faults(organs, 0)[0].where, "/diagram/whorls/2/marks");
   organs[0].diagram.reset();

@@ -61,6 +61,24 @@ TEST(SceneHealth, GrowsNothingAnew) {
   }
 }
 
+TEST(SceneHealth, PiecesOfAFlowerMoveAsOne) {
+  for (const char* fares : {R"("health": {"at": 0, "sheds": 0.5})", R"("season": {"at": 0.98})"}) {
+    Scene scene = *build_scene(*read_preset(
+        R"({"film": {"frames": 24}, "scene": {"setting": "studio"}, "organisms": [{"kind": "plant", "height": 0.3,
+            "place": {"lean": 0}, "grammar": {"axiom": "FF[~O(1, 1)]"}, "organs": [{"symbol": "O", "shape": "diagram", "size": 0.05,
+              "diagram": {"whorls": [{"part": "sepals", "count": 5}, {"part": "petals", "count": 5}, {"part": "stamens", "count": 6},
+                                     {"part": "carpels", "count": 1}]}}], )" +
+            std::string(fares) + "}]}",
+        "flower.json", {}));
+    const Organs now = (*developed(scene.specimens[0], 0))->model.organs;
+    ASSERT_GE(now.size(), 4u) << fares;
+    for (std::size_t i = 1; i < now.size(); ++i) {
+      EXPECT_EQ(now.position[i], now.position[0]) << fares;
+      EXPECT_EQ(now.turn[i], now.turn[0]) << fares;
+    }
+  }
+}
+
 TEST(SceneHealth, IsForWhatLives) {
   Result<Preset> stone = read_preset(R"({"organisms": [{"kind": "rock", "health": 0.5}]})", "stone.json", {});
   ASSERT_FALSE(stone);

@@ -169,8 +169,8 @@ class Layout {
       tilt += p_.jitter * seed_.child("branch", static_cast<std::uint64_t>(i)).range(-0.7, 0.7);
       Vec3 way = frame_.direction(tilt, kGoldenAngle * i);
       // The outer ones are longer, so that the whole is flat rather than a ball.
-      double length =
-          p_.branch * (0.75 + 0.25 * out) / std::max(std::cos(0.6 * tilt), 0.4) * std::cos(0.6 * p_.angle);
+      double length = p_.branch * (0.75 + 0.25 * out) / std::max(std::cos(0.6 * tilt), 0.4) *
+                      std::max(std::cos(0.6 * p_.angle), 0.4);
       Vec3 bend = glm::normalize(way + frame_.along * 0.25f);
       auto half = static_cast<float>(0.5 * length);
       std::int32_t middle = add_node(tip_ + way * half, 0.2 * p_.stem, hub, 1);
@@ -204,7 +204,8 @@ class Layout {
         auto step = static_cast<float>((k == 0 ? 0.35 : 0.65 / std::max(count - 1, 1)) * length);
         at += branch.along * step;
         branch = frame_along(
-            glm::normalize(branch.along + frame_.along * (0.12f * step / static_cast<float>(length))),
+            glm::normalize(branch.along +
+                           frame_.along * (0.12f * step / std::max(static_cast<float>(length), 1e-9f))),
             branch.front);
         from = add_node(at, 0.3 * p_.stem * (1 - 0.5 * out), from, 1);
         bool last = k + 1 == count;
@@ -343,7 +344,7 @@ class Layout {
       double thick = std::max(0.16 * p_.stem, 0.0002);
       if (f.stalk > 0.001) {
         // It leaves the axis as it would without neighbours, and bends to where there is room.
-        Vec3 middle = f.foot + glm::normalize(f.way + f.rest) * static_cast<float>(0.5 * f.stalk);
+        Vec3 middle = f.foot + direction_or(f.way + f.rest, f.way) * static_cast<float>(0.5 * f.stalk);
         node = add_node(middle, thick, node, w.order);
         node = add_node(f.tip(), thick, node, w.order);
       }

@@ -44,8 +44,9 @@ struct Prototype {
   std::optional<Luster> luster = {};  ///< none: the default of its tissue
   std::size_t summer = 0;  ///< number of summer colours, followed by those of other seasons; 0: all
   std::size_t ailing = 0;  ///< index of the first colour of failing health, which come last; 0: none
-  double borne = 0;  ///< of what comes with the season, how many each organ of full leaf bears; 0: unknown
-  double mean = 0;   ///< of the same, metres long
+  bool piece = false;  ///< of a flower whose other pieces stand in the same place and have the same number
+  double borne = 0;    ///< of what comes with the season, how many each organ of full leaf bears; 0: unknown
+  double mean = 0;     ///< of the same, metres long
 };
 
 /// Index of the colour that a turtle's colour index selects, cyclically.

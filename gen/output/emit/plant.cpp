@@ -123,7 +123,7 @@ std::string prototypes_text(const PovSpace& space, const Scene& scene, std::span
     std::vector<const Prototype*>& used = entries[at->second].used;
     used.resize(std::max(used.size(), b.model.prototypes.size()));
     auto use = [&](std::size_t p) { used[p] = used[p] ? used[p] : &b.model.prototypes[p]; };
-    for (std::size_t p = 0; b.life.changes() && p < b.model.prototypes.size(); ++p) use(p);
+    for (std::size_t p = 0; b.life.reshapes() && p < b.model.prototypes.size(); ++p) use(p);
     for (std::uint16_t which : b.model.organs.prototype) use(which);
   }
   std::string text;

@@ -88,9 +88,12 @@ class AilingLeaf {
   /// Turned toward straight down by an angle.
   void hang(float angle) {
     const Vec3 along = o_.turn[i_] * Vec3(0, 1, 0), down(0, -1, 0);
-    const Vec3 axis = glm::cross(along, down);
-    const float sine = glm::length(axis);
-    if (sine < 1e-4f) return;
+    Vec3 axis = glm::cross(along, down);
+    float sine = glm::length(axis);
+    if (sine < 1e-4f) {
+      if (glm::dot(along, down) > 0) return;
+      axis = o_.turn[i_] * Vec3(1, 0, 0), sine = 1;  // from straight up any way is down
+    }
     const float whole = std::atan2(sine, glm::dot(along, down));
     o_.turn[i_] = glm::normalize(glm::angleAxis(std::min(angle, whole), axis / sine) * o_.turn[i_]);
   }
@@ -137,7 +140,7 @@ std::vector<Color> ailing_colors(const Health& health, bool needles) {
 }
 
 void add_ailing(Prototype& leaf, const std::vector<Color>& colors) {
-  if (leaf.ailing > 0 || !is_green(leaf) || !leaf.parts[0].pictures.empty()) return;
+  if (leaf.ailing > 0 || leaf.piece || !is_green(leaf) || !leaf.parts[0].pictures.empty()) return;
   std::vector<LeafTint> own;
   const std::size_t n = leaf.summer > 0 ? leaf.summer : leaf.colors.size();
   for (std::size_t i = 0; i < n; ++i) own.push_back({leaf.colors[i], leaf.colors[i], leaf.colors[i]});
@@ -174,10 +177,11 @@ void ail(Organs& organs, const std::vector<Prototype>& prototypes, const Health&
   bool gone = false;
   for (std::size_t i = 0; i < organs.size(); ++i) {
     const Prototype& shape = prototypes[organs.prototype[i]];
-    const bool green = shape.ailing > 0, petals = is_flower(shape);
+    const bool green = shape.ailing > 0, petals = shape.piece || is_flower(shape);
     if (!green && !petals) continue;
     if (!organs.loose.empty() && organs.loose[i] > 0) continue;  // its season has taken it
-    const Seed own = seed.child("ails", organs.id[i]).child(organs.prototype[i]);
+    Seed own = seed.child("ails", organs.id[i]);
+    if (!shape.piece) own = own.child(organs.prototype[i]);
     const float lot =
         std::lerp(std::clamp(organs.birth[i], 0.0f, 1.0f), static_cast<float>(own.child("lot").unit()), kLot);
     const float way = way_at(fare, lot), dry = smooth_step(kDries, 1.0f, way);

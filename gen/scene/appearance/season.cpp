@@ -86,8 +86,10 @@ class Moment {
     for (std::size_t i = 0; i < full_.size(); ++i) {
       const Prototype& shape = prototypes_[full_.prototype[i]];
       const bool named = fruit_ >= 0 && !s_.fruit->organ.empty() && shape.name == s_.fruit->organ;
-      const bool leaf = !named && !shape.parts.empty() && shape.parts[0].tissue == Tissue::leaf;
-      Seed own = seed.child("leaf", full_.id[i]).child(full_.prototype[i]);
+      const bool leaf =
+          !named && !shape.piece && !shape.parts.empty() && shape.parts[0].tissue == Tissue::leaf;
+      Seed own = seed.child("leaf", full_.id[i]);
+      if (!shape.piece) own = own.child(full_.prototype[i]);
       // Two sprigs at one place are one that bears.
       const bool again =
           i > 0 && full_.id[i] == full_.id[i - 1] && full_.position[i] == full_.position[i - 1];
@@ -246,7 +248,9 @@ void add_blossom(std::vector<Prototype>& prototypes, const Blossom& b) {
 }  // namespace
 
 void add_seasons(Prototype& leaf, const Seasons& seasons) {
-  if (leaf.parts.empty() || leaf.parts[0].tissue != Tissue::leaf || !leaf.parts[0].pictures.empty()) return;
+  if (leaf.piece || leaf.parts.empty() || leaf.parts[0].tissue != Tissue::leaf ||
+      !leaf.parts[0].pictures.empty())
+    return;
   std::vector<LeafTint> own;
   for (const Color& c : leaf.colors) own.push_back({c, c, c});
   leaf.summer = leaf.colors.size();

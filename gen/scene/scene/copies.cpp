@@ -288,9 +288,11 @@ std::vector<CopyPart> copy_parts(const Look& look, const Model& model, const Cop
   const std::vector<double> areas = organ_areas(model);
   const double area = std::reduce(areas.begin(), areas.end());
   each.cover = hiding_share(model, area);
+  auto share = [&](double of) { return std::max(kLeastShare, area > 0 ? of / area : 0); };
+  double shares = 0;
+  for (double of : areas) shares += of > 0 ? share(of) : 0;
   for (std::size_t p = 0; p < model.prototypes.size(); ++p) {
-    const double share = std::max(kLeastShare, area > 0 ? areas[p] / area : 0);
-    each.leaves = detail.leaves * share /
+    each.leaves = detail.leaves * share(areas[p]) / std::max(1.0, shares) /
                   static_cast<double>(std::max<std::size_t>(1, model.prototypes[p].parts.size()));
     std::vector<CopyPart> merged =
         merged_organs(model, p, is_fruit(model.prototypes[p]) ? fruit : each, blocks, now);

@@ -199,9 +199,12 @@ void note_growth(Scene& scene, const Preset& preset) {
   for (const CopySet& set : scene.copy_sets) {
     const Appearance looks = set.organism.grower->appearance();
     if (scene.film.frames > 1 && looks.motion.growth.duration > 0 && looks.season &&
-        !set.organism.grower->perennial())
-      scene.notes.push_back(set.organism.name +
-                            ": its growth does nothing, since what is sown and has a season stands as it is");
+        !set.organism.grower->perennial()) {
+      const std::string line =
+          set.organism.name +
+          ": its growth does nothing, since what is sown and has a season stands as it is";
+      if (std::ranges::find(scene.notes, line) == scene.notes.end()) scene.notes.push_back(line);
+    }
   }
 }
 

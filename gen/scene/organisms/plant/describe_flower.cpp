@@ -211,6 +211,15 @@ Errors diagram_faults(const FloralDiagram& diagram) {
       fault(w.upper ? "upper" : w.side ? "side" : "lower", "is for sepals, tepals and petals");
     if (blades && w.head) fault("head", "is for stamens and carpels");
   }
+  constexpr double kTriangles = 240, kOfMark = 6;  // of a member, about
+  constexpr double kMost = 5e6;
+  double triangles = 0;
+  for (const Whorl& w : diagram.whorls)
+    triangles += w.count * (kTriangles + kOfMark * (w.marks ? w.marks->count : 0));
+  if (triangles *= diagram.stages * 1.5; triangles > kMost)
+    errors.push_back(
+        {"/whorls",
+         fmt::format("have some {:.0f} triangles at all stages; expected at most {:.0f}", triangles, kMost)});
   return errors;
 }
 

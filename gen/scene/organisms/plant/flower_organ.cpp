@@ -56,7 +56,7 @@ class Rooms {
     int step = organ.diagram ? stage_index(*organ.diagram, stage) : static_cast<int>(std::lround(8 * stage));
     auto [at, fresh] = known_.try_emplace({kinds.organ, step});
     if (fresh) {
-      OrganRoom found = organ.inflorescence ? laid(organ, stage) : shown(organ, kinds, stage);
+      OrganRoom found = organ.inflorescence ? laid(organ, step / 8.0) : shown(organ, kinds, stage);
       at->second = found;
     }
     return at->second;
@@ -155,6 +155,23 @@ const OrganParams* organ_of(std::span<const OrganParams> organs, std::string_vie
   return at == organs.end() ? nullptr : &*at;
 }
 
+/// How many florets each organ bears that is an inflorescence, with those of what it bears; others count
+/// as 1. What an inflorescence bears stands before it in the list.
+std::vector<double> floret_counts(std::span<const OrganParams> organs) {
+  std::vector<double> counts(organs.size(), 1);
+  for (std::size_t i = 0; i < organs.size(); ++i) {
+    if (!organs[i].inflorescence) continue;
+    const Inflorescence& by = *organs[i].inflorescence;
+    auto of = [&](const std::string& symbol, int number) {
+      const OrganParams* organ = symbol.empty() ? nullptr : organ_of(organs, symbol);
+      return organ ? number * counts[static_cast<std::size_t>(organ - organs.data())] : 0.0;
+    };
+    counts[i] = of(by.flower, by.flowers) + of(by.ray, by.rays) +
+                of(by.bract, std::max({by.flowers, by.involucre, by.branches}));
+  }
+  return counts;
+}
+
 }  // namespace
 
 int piece_count(const FloralDiagram& diagram) {
@@ -178,7 +195,7 @@ std::vector<Prototype> flower_stages(const OrganParams& organ) {
   for (int i = 0; i < stages; ++i) {
     std::vector<Prototype> made = flower_prototypes(diagram, stage_at(diagram, i));
     for (std::size_t k = 0; k < made.size(); ++k) {
-      made[k].name = organ.symbol;
+      made[k].name = organ.symbol, made[k].piece = true;
       if (!made[k].luster) made[k].luster = organ.luster;
       all[k * static_cast<std::size_t>(stages) + static_cast<std::size_t>(i)] = std::move(made[k]);
     }
@@ -223,14 +240,36 @@ Errors flower_faults(std::span<const OrganParams> organs, std::size_t which) {
                symbol)});
   };
   check("flower", by.flower), check("ray", by.ray), check("bract", by.bract);
+  constexpr int kMostCrowded = 500;
+  constexpr double kMostFlorets = 1e5;
+  const bool packed = by.type == InflorescenceType::capitulum || by.type == InflorescenceType::spadix;
+  if (!packed && by.flowers > kMostCrowded)
+    errors.push_back(
+        {"/inflorescence/flowers", fmt::format("found {}; expected at most {} but in a capitulum or a spadix",
+                                               by.flowers, kMostCrowded)});
+  if (errors.empty())
+    if (double all = floret_counts(organs)[which]; all > kMostFlorets)
+      errors.push_back(
+          {"/inflorescence", fmt::format("bears {:.0f} florets with what they bear; expected at most "
+                                         "{:.0f}",
+                                         all, kMostFlorets)});
   return errors;
 }
 
-void expand_inflorescences(Figure& figure, const PlantParams& params, std::span<const Prototype> prototypes,
-                           Seed seed) {
+Errors expand_inflorescences(Figure& figure, const PlantParams& params, std::span<const Prototype> prototypes,
+                             Seed seed) {
+  constexpr double kMost = 2e6;
   if (std::ranges::none_of(params.organs,
                            [](const OrganParams& organ) { return organ.inflorescence.has_value(); }))
-    return;
+    return {};
+  const std::vector<double> counts = floret_counts(params.organs);
+  double all = 0;
+  for (const Site& site : figure.sites)
+    if (const OrganParams* organ = organ_of(params.organs, site.name))
+      all += counts[static_cast<std::size_t>(organ - params.organs.data())];
+  if (all > kMost)
+    return {{"/organs",
+             fmt::format("its inflorescences bear {:.0f} florets; expected at most {:.0f}", all, kMost)}};
   Rooms rooms(params, prototypes);
   std::vector<Site> kept;
   // Inflorescences may bear others, whose sites are added at the end.
@@ -243,6 +282,7 @@ void expand_inflorescences(Figure& figure, const PlantParams& params, std::span<
       kept.push_back(std::move(site));
   }
   figure.sites = std::move(kept);
+  return {};
 }
 
 }  // namespace frond

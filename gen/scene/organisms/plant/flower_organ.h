@@ -29,8 +29,9 @@ Errors flower_faults(std::span<const OrganParams> organs, std::size_t which);
 bool borne_by_others(std::span<const OrganParams> organs, std::string_view symbol);
 
 /// Puts the stalks of inflorescences into a figure in metres, and in place of their sites those of their
-/// flowers. Lots depend on `seed`, by the names of sites.
-void expand_inflorescences(Figure& figure, const PlantParams& params, std::span<const Prototype> prototypes,
-                           Seed seed);
+/// flowers. Lots depend on `seed`, by the names of sites. Fails before it makes more than two million
+/// florets.
+Errors expand_inflorescences(Figure& figure, const PlantParams& params, std::span<const Prototype> prototypes,
+                             Seed seed);
 
 }  // namespace frond

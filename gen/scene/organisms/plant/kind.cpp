@@ -180,7 +180,7 @@ void count_organs(const PlantParams& params, Seed seed, SizeEstimate& plant) {
   std::vector<Prototype> prototypes = organ_prototypes(params);
   std::vector<bool> used(prototypes.size());
   std::size_t bare = figure->skeleton.size();
-  expand_inflorescences(*figure, params, prototypes, seed);
+  if (!expand_inflorescences(*figure, params, prototypes, seed).empty()) return;  // growing it says so
   plant.nodes += scale * static_cast<double>((figure->skeleton.size() - bare) *
                                              static_cast<std::size_t>(params.smoothing));
   for (const Site& site : figure->sites) {
@@ -252,6 +252,15 @@ class PlantGrower final : public Described<PlantParams, LoneGrower> {
       if (Errors errors = check_pictures({}, organ.picture, (pointer + "/pixels").c_str()); !errors.empty())
         return {errors};
     }
+    constexpr std::size_t kMostPrototypes = 60000;  // a number of 16 bits, with room for those of seasons
+    std::size_t prototypes = 0;
+    for (const OrganParams& organ : params.organs)
+      prototypes += organ.diagram
+                        ? static_cast<std::size_t>(piece_count(*organ.diagram) * stage_count(*organ.diagram))
+                        : 64;
+    if (prototypes > kMostPrototypes)
+      return {{{"/organs", fmt::format("these have {} pieces at all their stages; expected at most {}",
+                                       prototypes, kMostPrototypes)}}};
     if (Errors errors = check_asking(*grammar, params.height); !errors.empty()) return {errors};
     if (grammar->asks && params.by_steps)
       return {{{"/by_steps", "found true, but the grammar asks ?E, which is answered once; expected false"}}};

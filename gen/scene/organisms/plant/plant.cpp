@@ -234,7 +234,9 @@ Result<Model> grow_plant(const PlantParams& params, Seed seed, double share, con
   }
   fit(*plant, stature);
   std::vector<Prototype> prototypes = organ_prototypes(params);
-  expand_inflorescences(*figure, params, prototypes, seed.child("organ"));
+  if (Errors errors = expand_inflorescences(*figure, params, prototypes, seed.child("organ"));
+      !errors.empty())
+    return errors;
   if (Errors errors = check_places(*figure); !errors.empty()) return placed(errors, params.grammar);
   Model model;
   {
