@@ -13,6 +13,7 @@
 #include "emit/copies.h"
 #include "emit/setting.h"
 #include "emit/solid.h"
+#include "emit/worn.h"
 #include "export/formats.h"
 #include "export/macros.h"
 #include "scene/copies.h"
@@ -106,6 +107,7 @@ class Writer {
     shapes_ += fmt::format("#macro {}_Make_{}_{}_{}()\n", what_.name, v, detail, f);
     shapes_ += fmt::format("{}_Parts_{}()\n", what_.name, v);
     shapes_ += fmt::format("#local Frond_Unit = {};\n", number_text(parts.space.unit)) + models;
+    shapes_ += worn_text(variants_[v].scene, parts.first_skin, time_of(f));
     shapes_ += fmt::format("#declare {}_Shapes[{}][{}][{}] = {}{{\n", what_.name, v, detail, f,
                            count > 1 ? "union" : "object");
     // The matrix changes nothing, but has POV-Ray keep a transformation of each shape. Without one `scale -1`
