@@ -186,13 +186,16 @@ View composed(const Composition& c, Vec3 toward, const std::vector<Vec3>& points
   return view(down);
 }
 
+/// Whether an organism of that name is among those named, or all are.
+bool is_named(const std::vector<std::string>& names, std::string_view name) {
+  return std::ranges::any_of(names, [&](const std::string& one) { return one == kFitAll || one == name; });
+}
+
 /// The specimens of entries of these names, or all.
 std::vector<const Specimen*> named(const Scene& scene, const std::vector<std::string>& names) {
-  std::set<std::string_view> wanted(names.begin(), names.end());
   std::vector<const Specimen*> list;
   for (const Specimen& s : scene.specimens)
-    if (s.entry != Traits::kNoEntry && (wanted.contains(kFitAll) || wanted.contains(s.name)))
-      list.push_back(&s);
+    if (s.entry != Traits::kNoEntry && is_named(names, s.name)) list.push_back(&s);
   return list;
 }
 
@@ -205,12 +208,10 @@ std::vector<Vec3> outside_of(const Model& model) {
 }
 
 std::vector<Vec3> outside_of(const Scene& scene, const std::vector<std::string>& names) {
-  std::set<std::string_view> wanted(names.begin(), names.end());
-  bool all = wanted.contains(kFitAll);
   Outside outside;
   for (const Specimen* s : named(scene, names)) add(outside, s->model);
   for (const CopySet& set : scene.copy_sets) {
-    if (!all && !wanted.contains(set.organism.name)) continue;
+    if (!is_named(names, set.organism.name)) continue;
     for (std::size_t i = 0; i < set.copies.size(); ++i) {
       float scale = set.copies.scale[i], wide = scale * static_cast<float>(set.organism.sown->where.radius),
             tall = scale * static_cast<float>(set.tallest());
@@ -282,9 +283,7 @@ std::vector<Vec3> outside_of_part(const Scene& scene, const std::vector<std::str
   }
   for (const CopySet& set : scene.copy_sets) {
     const Copies& copies = set.copies;
-    const bool wanted = std::ranges::any_of(
-        names, [&](const std::string& name) { return name == kFitAll || name == set.organism.name; });
-    if (copies.size() == 0 || !wanted) continue;
+    if (copies.size() == 0 || !is_named(names, set.organism.name)) continue;
     std::size_t near = 0;
     for (std::size_t i = 1; i < copies.size(); ++i)
       if (glm::distance(copies.foot[i], eye) < glm::distance(copies.foot[near], eye)) near = i;
