@@ -62,7 +62,7 @@ def browse(frond):
     items = frond.state.browser_items(browser)
     assert len(items) > 100 and any(name == "trees/oak" for _, name, *_ in items)
     browser.filter = "sunflower"
-    assert [name for _, name, *_ in frond.state.browser_items(browser)] == ["lsystems/sunflower-4", "species/plants/sunflower"]
+    assert [name for _, name, *_ in frond.state.browser_items(browser)] == ["garden/wilting", "lsystems/sunflower-4", "species/plants/sunflower"]
     browser.filter = ""
     picture = frond.presets.pictures(pathlib.Path.cwd())["lsystems/sunflower-4"]
     assert picture.endswith("sunflower-4.jpg") and os.path.exists(picture)

@@ -1,11 +1,12 @@
 """Opens what a preset is exported to in Blender, and holds its picture against POV-Ray's from the preset's camera.
 
-  blender -b --python-exit-code 1 --python overlap.py -- FROND PRESET FOLDER LEAST [--set POINTER=VALUE]...
+  blender -b --python-exit-code 1 --python overlap.py -- FROND PRESET FOLDER LEAST DETAIL [--set POINTER=VALUE]...
 
 Runs where povinc/ is.
 Both stand in an empty studio. The silhouettes must overlap by LEAST, 0 to 1, and the pictures in the file must be
-seen. Both renders stay in FOLDER, blender.png with light and colours. Debian's Blender 3.4 has three traps: its importer of glTF
-uses names that numpy no longer has, its Cycles has no denoiser, and without a display nothing but Cycles renders.
+seen. DETAIL is that of the export. Both renders stay in FOLDER, blender.png with light and colours. Debian's Blender 3.4
+has three traps: its importer of glTF uses names that numpy no longer has, its Cycles has no denoiser, and without a display
+nothing but Cycles renders.
 """
 import json
 import math
@@ -116,7 +117,7 @@ def said_by(model):
         return json.loads(file.read(size))
 
 
-def main(frond, preset, folder, least, *sets):
+def main(frond, preset, folder, least, detail, *sets):
     os.makedirs(folder, exist_ok=True)
     with open(preset, encoding="utf-8") as file:
         given = json.loads(re.sub(r'("(?:[^"\\]|\\.)*")|//[^\n]*', lambda m: m[1] or "", file.read()))  # no comments
@@ -130,7 +131,7 @@ def main(frond, preset, folder, least, *sets):
     where = pov_silhouette(frond, preset, folder, sets, frame, size)
 
     model = f"{folder}/model.glb"
-    run(frond, "export", preset, "--frame", str(frame), "-q", "-o", model, *sets)
+    run(frond, "export", preset, "--frame", str(frame), "--detail", detail, "-q", "-o", model, *sets)
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.ops.import_scene.gltf(filepath=model)
     said = said_by(model)
