@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "core/bounds.h"
@@ -284,11 +285,21 @@ std::vector<Vec3> outside_of_part(const Scene& scene, const std::vector<std::str
   for (const CopySet& set : scene.copy_sets) {
     const Copies& copies = set.copies;
     if (copies.size() == 0 || !is_named(names, set.organism.name)) continue;
-    std::size_t near = 0;
-    for (std::size_t i = 1; i < copies.size(); ++i)
-      if (glm::distance(copies.foot[i], eye) < glm::distance(copies.foot[near], eye)) near = i;
-    if (Result<Model> model = grow_copy(set.organism, copies.model[near]))
-      best.add(*model, copies.foot[near], copies.turn[near], copies.scale[near]);
+    // Of each model the nearest copy, until one of them bears it.
+    std::map<std::size_t, std::size_t> nearest;
+    const auto away = [&](std::size_t i) { return glm::distance(copies.foot[i], eye); };
+    for (std::size_t i = 0; i < copies.size(); ++i)
+      if (auto [known, is_new] = nearest.try_emplace(copies.model[i], i);
+          !is_new && away(i) < away(known->second))
+        known->second = i;
+    std::vector<std::size_t> order;
+    for (const auto& [model, copy] : nearest) order.push_back(copy);
+    std::ranges::sort(order, {}, away);
+    for (std::size_t i : order) {
+      if (Result<Model> model = grow_copy(set.organism, copies.model[i]))
+        best.add(*model, copies.foot[i], copies.turn[i], copies.scale[i]);
+      if (!best.points().empty()) break;
+    }
   }
   return best.points();
 }

@@ -17,7 +17,8 @@ std::vector<Vec3> outside_of(const Model& model);
 
 /// Points on the outside of the organ of that name, of the organisms of those names, that shows best from
 /// where the camera stands: of the large ones the nearest to it, with as much room round it as it is wide; as
-/// it is at the beginning of the film. Of what is sown the nearest copy counts. None where they bear none.
+/// it is at the beginning of the film. Of what is sown the nearest copy that bears it counts. None where
+/// they bear none.
 std::vector<Vec3> outside_of_part(const Scene& scene, const std::vector<std::string>& names,
                                   std::string_view part);
 
