@@ -254,6 +254,15 @@ TEST(FarObjects, OfSmallPicturesAreFew) {
   EXPECT_LE(far_objects(land, view_of(64 * 48, 0.8 / 64), Seed{1}).size(), 70u);
 }
 
+TEST(FarObjects, OfOpenLandAreNone) {
+  FarLandShape open;
+  open.woods = open.hedges = open.villages = 0;
+  FarView view = view_of(640 * 360, 0.8 / 640);
+  EXPECT_TRUE(far_objects(FarLand(open, disc(150), Seed{1}), view, Seed{1}).empty());
+  open.hedges = 0.01;
+  EXPECT_FALSE(far_objects(FarLand(open, disc(150), Seed{1}), view, Seed{1}).empty());
+}
+
 TEST(FarShapes, AreSound) {
   for (int kind = 0; kind < kFarKinds; ++kind)
     for (const Surface& shape : far_shapes(static_cast<FarKind>(kind))) {

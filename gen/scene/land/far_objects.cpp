@@ -61,6 +61,8 @@ FarObject far_tree(const FarLand& land, Vec2 at, bool conifer, double tallest, S
 void add_trees(std::vector<FarObject>& all, const FarLand& land, const FarView& view, double reach,
                Seed seed) {
   auto level = static_cast<float>(seed.child("conifers").range(0, 99));
+  // Where nothing is wooded and no border has a hedge, it is open land: no tree stands alone either.
+  const double single = land.shape().woods > 0 || land.shape().hedges > 0 ? 0.004 : 0;
   auto plant = [&](auto& list, Seed own, Vec2 at) {
     double roll = own.child("there").unit();
     if (roll > 0.9) return;
@@ -69,7 +71,7 @@ void add_trees(std::vector<FarObject>& all, const FarLand& land, const FarView& 
     // Some stand out of the canopy.
     bool edge = (parcel.edge < kWoodEdge && !land.wooded(land.parcel(parcel.next))) ||
                 land.edge().outside(at) < kWoodEdge;
-    double chance = wooded ? (edge ? 0.9 : 0.04) : bordered && parcel.edge < 4 ? 0.09 : 0.004;
+    double chance = wooded ? (edge ? 0.9 : 0.04) : bordered && parcel.edge < 4 ? 0.09 : single;
     if (roll > chance || (!wooded && land.edge().outside(at) < 25)) return;
     double height = land.height(at);
     FarCover cover = land.cover(at, parcel, height, land.slope(at, 20));

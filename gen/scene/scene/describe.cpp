@@ -194,7 +194,8 @@ void describe(Properties& v, FarLandShape& f) {
   v.number("parcel", f.parcel, metres(20, 1000),
            "Mean width of the far fields and meadows, which are twice as long");
   v.number("fields", f.fields, kShare, "Share of the open far land that is ploughed; the rest is grass");
-  v.number("woods", f.woods, kShare, "Share of the far land that is wooded");
+  v.number("woods", f.woods, kShare,
+           "Share of the far land that is wooded; with neither woods nor hedges no tree stands alone there");
   v.number("hedges", f.hedges, kShare, "Share of the borders between far fields that have a hedge");
   v.number("villages", f.villages, metres(0, 10000),
            "Distance from one village to the next along a road; 0 leaves none");
