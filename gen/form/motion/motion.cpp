@@ -150,14 +150,6 @@ float cone_radius(float radius, float other, float length) {
   return std::clamp(radius, other - kSteepest * length, other + kSteepest * length);
 }
 
-Growth paced(Growth growth, double length) {
-  if (!growth.by_rate()) return growth;
-  // It is as long as it comes to be when the front is at 1, and ripens after that.
-  const double years = 100 * length / growth.rate;
-  growth.duration = (1 + growth.ripen) * years / growth.years_a_second;
-  return growth;
-}
-
 double growth_front(const Growth& growth, double time) {
   assert(growth.ripen >= 0 && std::isfinite(time));
   double end = 1 + growth.ripen;

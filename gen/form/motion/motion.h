@@ -28,7 +28,13 @@ struct Growth {
 };
 
 /// The growth of what comes to be so long, metres, at its rate; one without a rate stays as it is.
-Growth paced(Growth growth, double length);
+inline Growth paced(Growth growth, double length) {
+  if (!growth.by_rate()) return growth;
+  // It is as long as it comes to be when the front is at 1, and ripens after that.
+  const double years = 100 * length / growth.rate;
+  growth.duration = (1 + growth.ripen) * years / growth.years_a_second;
+  return growth;
+}
 
 /// Swaying in a current: a bend that grows toward the tips and travels through the water.
 struct Wave {
