@@ -58,5 +58,13 @@ void sprig_picture(benchmark::State& state) {
 }
 BENCHMARK(sprig_picture)->Unit(benchmark::kMillisecond);
 
+void leaf_veins(benchmark::State& state) {
+  LeafOutline outline = leaf_outline("linden");
+  std::size_t points = 0;
+  for (auto _ : state) points = grow_veins(outline, 0.022, Seed{1}).size();
+  state.counters["points"] = static_cast<double>(points);
+}
+BENCHMARK(leaf_veins)->Unit(benchmark::kMillisecond);
+
 }  // namespace
 }  // namespace frond

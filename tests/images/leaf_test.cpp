@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
+
+#include "images/leaf_blade.h"
+#include "images/leaf_relief.h"
 
 namespace frond {
 namespace {
@@ -104,12 +108,18 @@ TEST(Leaf, VeinsOfTurnedLeafletsAreWholeLines) {
           std::max<int>(most, picture.at(static_cast<int>(column) + i % 2, static_cast<int>(row) + i / 2, 0));
     return most;
   };
-  // Along the third side vein: wherever one looks, some of the four pixels round the place show it.
-  double stalk = leaf.outline.stalk;
-  for (double x = 0.04; x < 0.2; x += 0.004) {
-    double y = 0.75 * x + 0.5 * x * x + stalk + (2.35 / 9) * (1 - stalk);
-    EXPECT_GT(brightness(Vec2(x, y)), 10) << x;
+  // Along the side veins of the right half: wherever one looks, some of the four pixels round the place show
+  // one. The larger veins are the same for all seeds.
+  Veins veins = grow_veins(leaf.outline, 0.1, Seed{0});
+  int seen = 0;
+  for (std::size_t i = 1; i < veins.size(); ++i) {
+    Vec2 a = veins.point[static_cast<std::size_t>(veins.parent[i])], b = veins.point[i];
+    if (veins.order[i] != 2 || b.x < 0.04f || b.x > 0.2f) continue;
+    for (float t : {0.0f, 0.25f, 0.5f, 0.75f})
+      EXPECT_GT(brightness(glm::mix(a, b, t)), 10) << b.x << " " << b.y;
+    ++seen;
   }
+  EXPECT_GT(seen, 30);
 }
 
 TEST(Leaf, FarLeavesHaveFewerTriangles) {
@@ -123,6 +133,53 @@ TEST(Leaf, FarLeavesHaveFewerTriangles) {
     before = mesh.triangle.size();
   }
   EXPECT_LE(before, 6u);
+}
+
+TEST(Leaf, PleatsFollowTheSecondaries) {
+  LeafImage leaf = leaf_of("beech");
+  Surface flat = leaf_mesh(leaf, 24, 0, 0);
+  leaf.pleat = 1;
+  Surface pleated = leaf_mesh(leaf, 24, 0, 0);
+  EXPECT_EQ(pleated.find_fault(), "");
+  EXPECT_GT(area(pleated), 1.02 * area(flat));
+  EXPECT_LT(area(pleated), 1.6 * area(flat));
+  for (Vec3 n : pleated.normal) EXPECT_GT(n.z, 0.2f);
+  // It lies in its plane at the midrib and along the veins, and above it between them.
+  float high = 0;
+  for (Vec3 p : pleated.position) {
+    high = std::max(high, p.z);
+    if (std::abs(p.x) < 1e-4f) {
+      EXPECT_NEAR(p.z, 0, 1e-4f);
+    }
+    EXPECT_GE(p.z, -1e-5f);
+  }
+  EXPECT_GT(high, 0.015f);
+  Lamina blade(leaf.outline);
+  for (const SecondaryLine& line : secondary_lines(leaf.outline)) {
+    Vec2 end = blade.middle() + (line.to - blade.middle()) / static_cast<float>(blade.out(line.to));
+    float nearest = 1, height = 1;
+    for (Vec3 p : pleated.position)
+      if (float d = glm::distance(Vec2(p), end); d < nearest) nearest = d, height = p.z;
+    EXPECT_LT(nearest, 1e-3f);
+    EXPECT_LT(height, 1e-4f);
+  }
+  // Far leaves stay as they are.
+  EXPECT_EQ(leaf_mesh(leaf, 8, 0, 0).triangle.size(), leaf_mesh(leaf_of("beech"), 8, 0, 0).triangle.size());
+  // And so do those without secondaries.
+  LeafImage maple = leaf_of("maple");
+  maple.pleat = 1;
+  EXPECT_EQ(leaf_mesh(maple, 24, 0, 0).position, leaf_mesh(leaf_of("maple"), 24, 0, 0).position);
+}
+
+TEST(Leaf, PleatsKeepTheOutline) {
+  for (std::string_view name : leaf_names()) {
+    LeafImage leaf = leaf_of(name);
+    double flat = area(leaf_mesh(leaf, 40, 0, 0));
+    leaf.pleat = 1e-6;
+    Surface pleated = leaf_mesh(leaf, 40, 0, 0);
+    EXPECT_EQ(pleated.find_fault(), "") << name;
+    EXPECT_NEAR(area(pleated) / flat, 1, 0.02) << name;
+  }
 }
 
 TEST(Leaf, FacesUpAndBendsDown) {
@@ -172,6 +229,23 @@ TEST(Leaf, OneThatCurlsLeavesThePlaneAndKeepsItsArea) {
   EXPECT_GT(glm::normalize(up).z, 0.9f);
 }
 
+TEST(Leaf, ReliefFollowsTheVeins) {
+  LeafImage leaf = leaf_of("beech");
+  Grid heights = leaf_heights(leaf, 300, Seed{1});
+  PictureFrame frame = picture_frame(leaf);
+  auto at = [&](Vec2 p) {
+    return heights.at(static_cast<int>((p.x / frame.half * 0.5 + 0.5) * heights.width),
+                      static_cast<int>((frame.high - p.y) / (frame.high - frame.low) * heights.height));
+  };
+  Veins veins = grow_veins(leaf.outline, 0.1, Seed{0});
+  int sunk = 0, all = 0;
+  for (std::size_t i = 1; i < veins.size(); ++i)
+    if (veins.order[i] <= 2) sunk += at(veins.point[i]) < -0.3f, ++all;
+  EXPECT_GT(all, 100);
+  EXPECT_GT(sunk, 0.95 * all);
+  EXPECT_GT(*std::ranges::max_element(heights.data), 0.8f);
+}
+
 TEST(Leaf, AgeBrownsTheRimFirst) {
   LeafImage leaf = leaf_of("beech");
   leaf.spots = 0;
@@ -191,6 +265,43 @@ TEST(Leaf, AgeBrownsTheRimFirst) {
   EXPECT_LT(turning[0], 0.9 * fresh[0]);
   EXPECT_GT(turning[1], 0.95 * fresh[1]);
   EXPECT_LT(old[1], 0.8 * fresh[1]);
+}
+
+TEST(Sprig, DigitateLeavesSpreadFromOnePointAndTheMiddleOneIsTheLargest) {
+  Sprig sprig;
+  sprig.arrangement = SprigArrangement::digitate;
+  sprig.pairs = 3;
+  sprig.angle = radians(120.0);
+  sprig.length = 0.6;
+  sprig.shrink = 0.5;
+  std::vector<LeafPlace> places = sprig_places(sprig);
+  ASSERT_EQ(places.size(), 7u);
+  for (const LeafPlace& p : places) {
+    EXPECT_EQ(p.foot, places[0].foot);
+    EXPECT_LE(std::abs(p.turn), sprig.angle + 1e-9);
+    if (&p != &places.back()) {
+      EXPECT_LT(p.size, places.back().size);
+    }
+  }
+  EXPECT_EQ(places.back().turn, 0);
+  EXPECT_NEAR(places.back().foot.y + places.back().size, 1, 1e-6);
+  EXPECT_NEAR(places[0].turn, sprig.angle, 1e-9);
+  EXPECT_NEAR(places[0].size, 0.3, 1e-9);
+  // All gaps between them are equal, also without a leaf at the tip.
+  for (bool end : {true, false}) {
+    sprig.end_leaf = end;
+    std::vector<double> turns;
+    for (const LeafPlace& p : sprig_places(sprig)) turns.push_back(p.turn);
+    std::ranges::sort(turns);
+    for (std::size_t i = 2; i < turns.size(); ++i)
+      EXPECT_NEAR(turns[i] - turns[i - 1], turns[1] - turns[0], 1e-9) << end;
+  }
+  LeafImage leaf = leaf_of("cherry");
+  leaf.sprig = true;
+  leaf.sprigs = sprig;
+  Surface mesh = leaf_mesh(leaf, 12, 0, 0);
+  EXPECT_EQ(mesh.find_fault(), "");
+  for (Vec2 uv : mesh.uv) EXPECT_TRUE(uv.x >= 0 && uv.x <= 1 && uv.y >= 0 && uv.y <= 1);
 }
 
 TEST(Sprig, HasAnEndLeafOrNot) {

@@ -8,6 +8,7 @@
 #include "core/seed.h"
 #include "core/vec.h"
 #include "images/raster.h"
+#include "images/venation.h"
 #include "model/surface.h"
 
 namespace frond {
@@ -16,11 +17,11 @@ namespace frond {
 /// the start of the stalk (the last), interpolated smoothly and equal on both sides.
 struct LeafOutline {
   std::vector<double> radii{1, 0.72, 0.58, 0.56, 0.55, 0.50, 0.42};
-  double width = 1;      ///< factor of the width
-  double teeth = 0;      ///< number along one side of the rim
-  double tooth = 0;      ///< their depth as a share of the radius, 0..0.3
-  double stalk = 0.18;   ///< length as a share of the whole
-  bool palmate = false;  ///< main veins run from the stalk to the lobes instead of from the midrib
+  double width = 1;     ///< factor of the width
+  double teeth = 0;     ///< number along one side of the rim
+  double tooth = 0;     ///< their depth as a share of the radius, 0..0.3
+  double stalk = 0.18;  ///< length as a share of the whole
+  Venation venation = {};
 };
 
 /// Outlines of known leaves: birch, beech, oak, maple, ivy, aspen, willow, linden, cherry, ginkgo. Empty
@@ -28,13 +29,16 @@ struct LeafOutline {
 LeafOutline leaf_outline(std::string_view name);
 std::span<const std::string_view> leaf_names();
 
-/// A sprig: leaves along a common stalk.
+enum class SprigArrangement { pinnate, digitate };
+
+/// A sprig: leaves along a common stalk, or all from the end of it.
 struct Sprig {
+  SprigArrangement arrangement = SprigArrangement::pinnate;
   int pairs = 4;                 ///< 0 or more
   bool end_leaf = true;          ///< a single leaf at the tip
-  double angle = radians(52.0);  ///< between leaf and stalk
+  double angle = radians(52.0);  ///< between leaf and stalk; of digitate ones, of the outermost
   double length = 0.42;          ///< of a leaf, as a share of the sprig's
-  double shrink = 0.25;          ///< how much smaller the leaves at the tip are, 0..0.9
+  double shrink = 0.25;          ///< how much smaller the leaves at the tip, or the outermost, are, 0..0.9
   double alternate = 0;          ///< 0 in pairs .. 1 alternating
 };
 
@@ -57,6 +61,7 @@ struct LeafImage {
   Color veins{0.62f, 0.72f, 0.36f};
   Color rim{0.44f, 0.52f, 0.16f};
   double spots = 0.15;  ///< variation of colour over it, 0..1
+  double pleat = 0;     ///< how deeply the mesh of a near leaf is folded along its secondaries, 0..1
   double age = 0;       ///< brown at the rim and in blotches, 0..1
   std::shared_ptr<const LeafPhoto> photo =
       {};  ///< shown where given, tinted by `color`, without veins, rim or spots

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "geometry/outline.h"
-#include "images/leaf.h"
+#include "images/leaf_half.h"
 
 namespace frond {
 
@@ -74,35 +74,24 @@ void add_curled(Surface& s, const LeafImage& leaf, int points, const Bending& b)
 /// One leaf where it lies on its sprig; `above` keeps leaves apart that cross.
 void add_leaf(Surface& s, const LeafImage& leaf, const LeafPlace& place, int points, const Bending& b,
               double above) {
-  std::vector<Vec2> rim = leaf_rim(leaf.outline, points);
   auto c = static_cast<float>(std::cos(place.turn)), n = static_cast<float>(std::sin(place.turn));
   auto size = static_cast<float>(place.size);
   double slope = std::tan(b.fold);
-  auto add = [&](Vec2 q) {
+  auto add = [&](Vec2 q, double up = 0) {
     // A leaf on a sprig also droops a little by itself.
     Vec2 p = place.foot + size * Vec2(q.x * c + q.y * n, -q.x * n + q.y * c);
-    double lift = above + place.size * (std::abs(q.x) * slope - (leaf.sprig ? 0.22 * q.y * q.y : 0));
+    double lift = above + place.size * (up + std::abs(q.x) * slope - (leaf.sprig ? 0.22 * q.y * q.y : 0));
     s.position.push_back(bent(p, lift, b));
     s.uv.push_back(b.uv(p));
   };
-  auto add_half = [&](float side) {
+  auto add_half = [&](int side) {
     auto start = static_cast<std::uint32_t>(s.position.size());
-    std::vector<Vec3> flat;
-    // Up the midrib on a few points, so that it bends, and down the rim.
-    int ribs = points >= 10 ? 4 : points >= 6 ? 2 : 1;
-    for (int i = 0; i < ribs; ++i) {
-      Vec2 at = glm::mix(rim.back(), rim.front(), static_cast<float>(i) / static_cast<float>(ribs));
-      flat.emplace_back(at.x, at.y, 0);
-    }
-    for (std::size_t i = 0; i + 1 < rim.size(); ++i) flat.emplace_back(rim[i].x * side, rim[i].y, 0);
-    for (Vec3 p : flat) add(Vec2(p));
-    std::size_t before = s.triangle.size();
-    triangulate(flat, start, s.triangle);
-    // All of them face the upper side.
-    for (std::size_t t = before; t < s.triangle.size(); ++t) {
-      auto& [i, j, k] = s.triangle[t];
-      Vec3 area = glm::cross(flat[j - start] - flat[i - start], flat[k - start] - flat[i - start]);
-      if (area.z < 0) std::swap(j, k);
+    // The picture mirrors the leaflets of the left side.
+    HalfBlade half = pleated_half(leaf.outline, points, place.turn < 0 ? -side : side, leaf.pleat);
+    for (Vec3 p : half.point) add(Vec2(p.x * static_cast<float>(side), p.y), p.z);
+    for (auto [i, j, k] : half.triangle) {
+      if (side < 0) std::swap(j, k);
+      s.triangle.push_back({start + i, start + j, start + k});
     }
   };
   if (b.curl.share > 0)

@@ -11,13 +11,15 @@
 #include "emit/branch_materials.h"
 #include "emit/plant.h"
 #include "images/bark.h"
+#include "images/leaf_relief.h"
 
 namespace frond {
 
 namespace {
 
 constexpr float kFaceOfGlass = 0.36f;
-constexpr int kLeafPixels = 256;  // the most of a leaf without a picture of its own
+constexpr int kLeafPixels = 256;    // the most of a leaf without a picture of its own
+constexpr float kVeinDepth = 0.1f;  // of what raises a photograph from black to white
 constexpr int kCubePixels = 128;
 constexpr int kRings = 4;        // of a palm, on its picture
 constexpr double kPatterns = 8;  // how many times what a skin's pattern repeats, on its picture
@@ -30,14 +32,17 @@ Color lighter(const Color& color, Vec3 factor) { return srgb(glm::min(linear(col
 Result<BakedPictures> leaf_pictures(const LeafLook& look, std::size_t color, int pixels) {
   LeafImage image = leaf_image(look, color);
   // In all seasons the same spots.
-  Raster colors = leaf_picture(image, pixels, Seed{color < look.colors.size() ? color : 0});
-  Grid height(colors.width, colors.height);
+  Seed seed{color < look.colors.size() ? color : 0};
+  Raster colors = leaf_picture(image, pixels, seed);
+  Grid height = leaf_heights(image, pixels, seed);
   std::uint8_t rim[] = {to_byte(image.rim.red), to_byte(image.rim.green), to_byte(image.rim.blue)};
   for (std::size_t i = 0; i < height.data.size(); ++i) {
     std::uint8_t* pixel = &colors.data[4 * i];
     if (pixel[0] == 0 && pixel[1] == 0 && pixel[2] == 0) std::copy_n(rim, 3, pixel);
-    // Veins are paler than what lies between, and sunk in.
-    height.data[i] = static_cast<float>(1 - (0.3 * pixel[0] + 0.6 * pixel[1] + 0.1 * pixel[2]) / 255);
+    // Veins of a photograph are paler than what lies between, and sunk in.
+    height.data[i] = image.photo
+                         ? static_cast<float>(1 - (0.3 * pixel[0] + 0.6 * pixel[1] + 0.1 * pixel[2]) / 255)
+                         : kVeinDepth * height.data[i];
   }
   return picture_files(colors, normal_picture(height, 0.012 * pixels), 0.6);
 }

@@ -93,7 +93,13 @@ LeafImage leaf_image(const LeafLook& look, std::size_t color) {
   if (look.stalk) leaf.outline.stalk = *look.stalk;
   if (look.teeth) leaf.outline.teeth = *look.teeth;
   if (look.tooth) leaf.outline.tooth = *look.tooth;
-  if (look.palmate) leaf.outline.palmate = *look.palmate;
+  if (look.palmate)
+    leaf.outline.venation.pattern = *look.palmate ? VeinPattern::palmate : VeinPattern::pinnate;
+  if (look.venation) leaf.outline.venation.pattern = *look.venation;
+  if (look.secondaries) leaf.outline.venation.secondaries = *look.secondaries;
+  leaf.outline.venation.density = look.vein_density;
+  leaf.outline.venation.loops = look.loops;
+  leaf.pleat = look.pleat;
   leaf.sprig = look.sprig;
   leaf.sprigs = look.sprigs;
   LeafTint tint = leaf_tint(look, color);

@@ -43,11 +43,15 @@ struct LeafLook {
   double width = 1;             ///< factor
   FileName photo;               ///< a photograph of a leaf that was cut out, instead of the shape
   std::shared_ptr<const LeafPhoto> photographed;  ///< what that file holds
-  std::optional<double> stalk;         ///< length as a share of the whole leaf; none: that of its shape
-  std::optional<double> teeth, tooth;  ///< as in LeafOutline; none: as of its shape
-  std::optional<bool> palmate;         ///< likewise
-  double size = 0.08;                  ///< metres, of a leaf or a sprig
-  bool sprig = false;                  ///< sprigs rather than leaves
+  std::optional<double> stalk;          ///< length as a share of the whole leaf; none: that of its shape
+  std::optional<double> teeth, tooth;   ///< as in LeafOutline; none: as of its shape
+  std::optional<bool> palmate;          ///< likewise
+  std::optional<VeinPattern> venation;  ///< none: as palmate says or is usual for its shape
+  std::optional<int> secondaries;       ///< as in Venation; none: as of its shape
+  double vein_density = 1;              ///< Venation::density
+  bool loops = true;                    ///< Venation::loops
+  double size = 0.08;                   ///< metres, of a leaf or a sprig
+  bool sprig = false;                   ///< sprigs rather than leaves
   Sprig sprigs;
   bool end_sprigs = false;  ///< sprigs along branches have no leaf at their tip, those at ends do
   std::vector<Color> colors{{0.26f, 0.44f, 0.11f}, {0.31f, 0.48f, 0.13f}, {0.38f, 0.50f, 0.14f}};
@@ -56,6 +60,7 @@ struct LeafLook {
   double spots = 0.2;           ///< how much the colour varies over a leaf
   double fold = radians(14.0);  ///< of each half
   double bend = radians(30.0);  ///< from foot to tip
+  double pleat = 0;             ///< depth of the folds along its secondaries, 0..1
   double curl = 0;              ///< as it dries, 0..1
   double age = 0;               ///< brown at the rim and in blotches, 0..1
   int detail = 10;              ///< points of the mesh along half a rim
