@@ -31,8 +31,10 @@ class Blade {
       : leaf_(leaf), o_(leaf.outline), shape_(leaf.outline), seed_(seed) {
     constexpr double kAreole = 3;  // pixels: no net is finer
     if (!leaf.photo)
-      veins_ =
-          VeinField(grow_veins(o_, std::max(kFinestNet, kAreole * finest), seed.child("veins")), largest);
+      veins_ = VeinField(
+          grow_veins(o_, std::max(kFinestNet / std::max(1.0, o_.venation.density), kAreole * finest),
+                     seed.child("veins")),
+          largest);
   }
 
   /// Whether the leaf or its stalk covers a point of its own plane, one unit long.
@@ -61,6 +63,7 @@ class Blade {
 
   /// How high it is raised: veins are sunk in, and between the larger ones the blade bulges. -1..1
   double height(Vec2 p, double pixel) const {
+    if (leaf_.photo) return 0;
     VeinSight vein = veins_.at(p, pixel);
     return vein.bulge - std::min(vein.line, 1.0);
   }
@@ -132,7 +135,7 @@ struct LeafPainter {
   double height(Vec2 p) const {
     for (std::size_t i = places.size(); i-- > 0;)
       if (Vec2 q = on_leaf(p, places[i]); blade.covers(q)) return blade.height(q, pixel / places[i].size);
-    return 0;
+    return blade.height(on_leaf(p, places.back()), pixel / places.back().size);
   }
 };
 

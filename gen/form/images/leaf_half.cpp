@@ -79,6 +79,9 @@ HalfBlade pleated_half(const LeafOutline& outline, int points, int side, double 
   Lamina blade(outline);
   std::vector<Fold> all = folds(outline, blade, side, pleat);
   if (all.size() < 3) return half_blade(outline, points);
+  // The other half's folds begin on the same midrib, which both follow when it bends.
+  std::vector<float> others;
+  for (const Fold& fold : folds(outline, blade, -side, pleat)) others.push_back(fold.foot);
   HalfBlade half;
   auto add = [&](Vec2 p, double up) {
     half.point.emplace_back(p, static_cast<float>(up));
@@ -108,6 +111,9 @@ HalfBlade pleated_half(const LeafOutline& outline, int points, int side, double 
       if (double a = angle_of(rim[i]); a < from - 1e-3 && a > to + 1e-3)
         round.push_back(add(rim[i], kRise.back() * std::lerp(first, second, (from - a) / (from - to))));
     round.insert(round.end(), line.rbegin(), line.rend());
+    const float low = half.point[before.front()].y, high = half.point[line.front()].y;
+    for (std::size_t i = others.size(); i-- > 0;)
+      if (others[i] > low + 1e-4f && others[i] < high - 1e-4f) round.push_back(add({0, others[i]}, 0));
     std::vector<Vec3> flat;
     for (std::uint32_t i : round) flat.emplace_back(half.point[i].x, half.point[i].y, 0);
     std::vector<std::array<std::uint32_t, 3>> made;

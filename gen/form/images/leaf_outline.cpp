@@ -77,7 +77,7 @@ double leaf_radius(const LeafOutline& o, double angle) {
     if (k < kShortSide) high = 1;  // the leaf's tip is one, too
     value *= 1 + o.tooth * high * (1 - smooth_step(0.8, 1.0, a / kPi)) - 0.5 * o.tooth;
   }
-  return std::max(value, 0.02);
+  return std::max(value, 0.02 * std::max(*std::ranges::max_element(o.radii), 1e-6));
 }
 
 namespace {

@@ -53,6 +53,7 @@ PictureFrame picture_frame(const LeafImage& leaf) {
   std::vector<LeafPlace> places = leaf.sprig ? sprig_places(leaf.sprigs) : std::vector<LeafPlace>{{}};
   PictureFrame frame{0.02, 0, leaf.sprig ? 0.0 : 1.0};
   for (const LeafPlace& p : places) {
+    if (leaf.sprig) frame.high = std::max(frame.high, p.foot.y + 0.02);  // the stalk
     double c = std::cos(p.turn), s = std::sin(p.turn);
     for (Vec2 q : rim)
       for (double x : {static_cast<double>(q.x), -static_cast<double>(q.x)}) {

@@ -70,10 +70,11 @@ class MainVeins {
 
   void parallel() {
     Axis midrib = axis(0, blade_.at(0, kEnd));
-    const int n = v_.secondaries;
     const auto rows = static_cast<int>((blade_.high() - blade_.foot().y) / kPiece);
     std::vector<float> half(static_cast<std::size_t>(rows) + 1, 0);
     for (int k = 0; k <= rows; ++k) half[k] = half_width(height_at(k, rows));
+    // A narrow blade has room for fewer.
+    const int n = std::clamp(static_cast<int>(*std::ranges::max_element(half) / 0.004f), 1, v_.secondaries);
     for (int side : {1, -1})
       for (int i = 1; i <= n; ++i) {
         double share = (i + seed_.child("line", 2 * i + (side > 0)).range(-0.12, 0.12)) / (n + 0.6);
@@ -179,10 +180,11 @@ class MainVeins {
     for (int k = 1; k <= pieces; ++k)
       if (!blade_.holds(at(k), kVeinEdge)) bend = glm::mix(start, to, 0.5f);
     const auto before = static_cast<std::uint32_t>(tree_.veins().size());
+    const float apart = std::min(kApart, 0.45f / static_cast<float>(v_.secondaries));
     std::uint32_t last = from;
     for (int k = 1; k <= pieces; ++k) {
       Vec2 p = at(k);
-      bool crowded = glm::distance(p, start) > 3 * kApart && tree_.nearest(p, kApart, before);
+      bool crowded = glm::distance(p, start) > 3 * apart && tree_.nearest(p, apart, before);
       if (crowded || !blade_.holds(p, kVeinEdge)) {
         side.cut = true;
         break;

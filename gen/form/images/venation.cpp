@@ -33,10 +33,15 @@ Veins grow_veins(const LeafOutline& outline, double finest, Seed seed) {
     // Veins side by side are tied by a few short ones across.
     double gap = blade.wide() / (v.secondaries + 0.6);
     width = std::min(width, kLine * gap * std::cbrt(2 * v.secondaries + 1));
-    if (v.loops && gap > 0.5 * finest) grow(0, kCross * gap / v.density, 0.4 * gap);
+    if (v.loops && gap > 0.5 * finest) grow(0, std::max(kCross * gap / v.density, finest), 0.4 * gap);
   } else if (v.pattern != VeinPattern::dichotomous) {
     double apart = kThird / v.density;
-    for (int k = 0; k < kOrders && apart >= finest; ++k, apart *= kFiner) grow(k, apart, 0.5 * apart);
+    // A round that would be finer is as fine as it may be, so that a denser net never has fewer veins.
+    for (int k = 0; k < kOrders; ++k, apart *= kFiner) {
+      const double now = std::max(apart, finest);
+      grow(k, now, 0.5 * now);
+      if (now > apart) break;
+    }
   }
   return tree.take(width);
 }

@@ -41,7 +41,8 @@ void describe(Properties& v, Sprig& s) {
   v.number("shrink", s.shrink, {.min = 0, .max = 0.9},
            "How much smaller the leaves at the tip, or the outermost of digitate ones, are, as a share");
   v.number("alternate", s.alternate, {.min = 0, .max = 1},
-           "How far the leaves of a pair stand apart; 0 opposite each other, 1 alternating");
+           "How far the leaves of a pair stand apart; 0 opposite each other, 1 alternating. Needs "
+           "\"arrangement\": \"pinnate\"");
 }
 
 void describe(Properties& v, Luster& l) {
@@ -111,7 +112,7 @@ void describe(Properties& v, LeafLook& l) {
           "Angle by which a leaf is bent down from its foot to its tip");
   v.number("pleat", l.pleat, {.min = 0, .max = 1},
            "How deeply a near leaf with a midrib is folded along its side veins, as those of beech, hornbeam "
-           "and hazel; it takes a detail of 12 or more");
+           "and hazel; it takes a detail of 12 or more, and a single leaf that curls has no folds");
   v.number("curl", l.curl, {.min = 0, .max = 1},
            "How far its lobes curl up and its blade buckles, as it dries");
   v.number("age", l.age, {.min = 0, .max = 1}, "How far brown has come from the rim, and in blotches");
