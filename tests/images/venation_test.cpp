@@ -210,6 +210,8 @@ TEST(Venation, OutlinesOfAnySizeAreTheSameBlade) {
   large.radii = {0, 40, 70, 80, 60, 30, 0};
   EXPECT_NEAR(Lamina(one).wide(), Lamina(large).wide(), 1e-3);
   EXPECT_LT(Lamina(large).wide(), 40);
+  const auto few = static_cast<double>(grow_veins(one, 0.03, Seed{1}).size());
+  EXPECT_NEAR(static_cast<double>(grow_veins(large, 0.03, Seed{1}).size()), few, 0.05 * few);
 }
 
 }  // namespace

@@ -147,7 +147,7 @@ Lamina::Lamina(const LeafOutline& o)
 double Lamina::radius(double angle) const {
   double x = std::min(std::abs(angle) / kPi, 1.0) * kAngles;
   int i = std::min(static_cast<int>(x), kAngles - 1);
-  return std::lerp(radii_[i], radii_[i + 1], x - i);
+  return std::lerp(double{radii_[i]}, double{radii_[i + 1]}, x - i);
 }
 
 double Lamina::out(Vec2 p) const {

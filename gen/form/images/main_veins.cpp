@@ -9,9 +9,9 @@ namespace frond {
 
 namespace {
 
-constexpr double kLobe = 0.05;         // prominence of a lobe that has a secondary of its own
+constexpr double kLobe = 0.05;  // prominence of a lobe that has a secondary of its own, by the largest radius
 constexpr double kPalmateLobe = 0.13;  // of one that has a main vein, as a share of its radius
-constexpr double kTooth = 0.008;       // of a tooth that a secondary may end in
+constexpr double kTooth = 0.008;       // of a tooth that a secondary may end in, likewise
 constexpr double kEnd = 0.975;         // share of the way from the middle to the rim, where veins end
 constexpr double kVeinEdge = 0.022;    // share of that way that they keep off the rim
 constexpr float kPiece = 0.02f;        // length of the pieces of these veins
@@ -21,7 +21,7 @@ constexpr float kShortest = 0.03f;     // of a secondary
 constexpr float kApart = 0.018f;       // secondaries end where they would come closer to another
 
 /// A main vein that others leave: its points from its foot to its end.
-struct Axis {
+struct MainVein {
   std::vector<std::uint32_t> nodes;
   Vec2 from{0}, to{0};
 };
@@ -39,21 +39,22 @@ class MainVeins {
  public:
   MainVeins(const LeafOutline& o, const Lamina& blade, VeinTree& tree)
       : v_(o.venation), blade_(blade), tree_(tree) {
-    for (const RimTip& tip : rim_tips(o, kTooth)) teeth_.push_back(tip.angle);
+    const double largest = *std::ranges::max_element(o.radii);
+    for (const RimTip& tip : rim_tips(o, kTooth * largest)) teeth_.push_back(tip.angle);
     LeafOutline smooth = o;
     smooth.teeth = 0;
-    lobes_ = rim_tips(smooth, kLobe);
+    lobes_ = rim_tips(smooth, kLobe * largest);
     tree_.add(blade.foot(), -1, 1);
   }
 
   void pinnate() {
-    Axis midrib = axis(0, blade_.at(0, kEnd));
+    MainVein midrib = axis(0, blade_.at(0, kEnd));
     for (int side : {1, -1}) arches(secondaries(midrib, side));
   }
 
   void palmate() {
-    Axis midrib = axis(0, blade_.at(0, kEnd));
-    std::vector<Axis> all{midrib};
+    MainVein midrib = axis(0, blade_.at(0, kEnd));
+    std::vector<MainVein> all{midrib};
     std::vector<double> angles;
     for (const RimTip& lobe : lobes_)
       if (lobe.prominence >= kPalmateLobe * lobe.radius) angles.push_back(lobe.angle);
@@ -69,7 +70,7 @@ class MainVeins {
   }
 
   void parallel() {
-    Axis midrib = axis(0, blade_.at(0, kEnd));
+    MainVein midrib = axis(0, blade_.at(0, kEnd));
     const auto rows = static_cast<int>((blade_.high() - blade_.foot().y) / kPiece);
     std::vector<float> half(static_cast<std::size_t>(rows) + 1, 0);
     for (int k = 0; k <= rows; ++k) half[k] = half_width(height_at(k, rows));
@@ -119,8 +120,8 @@ class MainVeins {
   }
 
   /// A straight vein from a point of the tree.
-  Axis axis(std::uint32_t first, Vec2 to) {
-    Axis a{{first}, tree_.veins().point[first], to};
+  MainVein axis(std::uint32_t first, Vec2 to) {
+    MainVein a{{first}, tree_.veins().point[first], to};
     const int pieces = std::max(2, static_cast<int>(glm::distance(a.from, to) / kPiece));
     for (int k = 1; k <= pieces; ++k) {
       Vec2 p = glm::mix(a.from, to, static_cast<float>(k) / static_cast<float>(pieces));
@@ -138,7 +139,7 @@ class MainVeins {
   }
 
   /// The first point of a midrib from which the straight way to a lobe lies in the blade.
-  std::uint32_t leaving(const Axis& midrib, Vec2 lobe) const {
+  std::uint32_t leaving(const MainVein& midrib, Vec2 lobe) const {
     for (std::uint32_t i : midrib.nodes) {
       Vec2 at = tree_.veins().point[i];
       if (at.y > blade_.middle().y) break;
@@ -151,7 +152,7 @@ class MainVeins {
   }
 
   /// The node of an axis that is nearest to a share of it.
-  static std::size_t node_at(const Axis& a, double share) {
+  static std::size_t node_at(const MainVein& a, double share) {
     auto last = static_cast<double>(a.nodes.size() - 1);
     return static_cast<std::size_t>(std::lround(std::clamp(share, 0.0, 1.0) * last));
   }
@@ -196,7 +197,7 @@ class MainVeins {
   }
 
   /// The secondaries on one side of a midrib, from its foot to its tip.
-  std::vector<Side> secondaries(const Axis& midrib, int side) {
+  std::vector<Side> secondaries(const MainVein& midrib, int side) {
     struct Plan {
       double share;
       std::optional<Vec2> lobe;
@@ -243,7 +244,7 @@ class MainVeins {
     return seed_.child("side", 2 * static_cast<std::uint64_t>(i) + (side > 0)).range(-1, 1);
   }
 
-  Side secondary(const Axis& midrib, int side, double share, std::optional<Vec2> lobe) {
+  Side secondary(const MainVein& midrib, int side, double share, std::optional<Vec2> lobe) {
     std::uint32_t from = midrib.nodes[node_at(midrib, share)];
     Vec2 at = tree_.veins().point[from];
     const Vec2 forward(0, 1);
@@ -287,8 +288,8 @@ class MainVeins {
   }
 
   /// The side veins of a main vein to a lobe. They end where another main vein is nearer.
-  void ribs(const std::vector<Axis>& all, std::size_t index, int side) {
-    const Axis& own = all[index];
+  void ribs(const std::vector<MainVein>& all, std::size_t index, int side) {
+    const MainVein& own = all[index];
     const Vec2 along = glm::normalize(own.to - own.from);
     const float length = glm::distance(own.from, own.to);
     const int count = std::max(2, static_cast<int>(std::lround(static_cast<float>(v_.secondaries) * length /
@@ -318,13 +319,13 @@ class MainVeins {
     arches(made);
   }
 
-  static float distance_to(const Axis& a, Vec2 p) {
+  static float distance_to(const MainVein& a, Vec2 p) {
     Vec2 d = a.to - a.from;
     float t = std::clamp(glm::dot(p - a.from, d) / glm::dot(d, d), 0.0f, 1.0f);
     return glm::distance(p, a.from + t * d);
   }
 
-  static bool nearer_to(const std::vector<Axis>& all, std::size_t own, Vec2 p) {
+  static bool nearer_to(const std::vector<MainVein>& all, std::size_t own, Vec2 p) {
     float d = distance_to(all[own], p);
     for (std::size_t i = 0; i < all.size(); ++i)
       if (i != own && distance_to(all[i], p) < d) return false;
