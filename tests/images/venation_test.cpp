@@ -206,8 +206,8 @@ TEST(Venation, OfNarrowBladesAreAsManyAsHaveRoom) {
 
 TEST(Venation, OutlinesOfAnySizeAreTheSameBlade) {
   LeafOutline one = leaf_outline("oak"), large = one;
-  one.radii = {0, 0.4, 0.7, 0.8, 0.6, 0.3, 0};
-  large.radii = {0, 40, 70, 80, 60, 30, 0};
+  one.radii = {0.1, 0.4, 0.7, 0.8, 0.6, 0.3, 0.1};
+  large.radii = {10, 40, 70, 80, 60, 30, 10};
   EXPECT_NEAR(Lamina(one).wide(), Lamina(large).wide(), 1e-3);
   EXPECT_LT(Lamina(large).wide(), 40);
   const auto few = static_cast<double>(grow_veins(one, 0.03, Seed{1}).size());

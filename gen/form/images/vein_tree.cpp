@@ -8,7 +8,7 @@ namespace frond {
 
 namespace {
 
-constexpr float kGridCell = 0.03f;  // side of a cell of the grid
+constexpr float kGridCell = 0.03f;  // side of a cell of the grid, of a blade that is not wider than long
 constexpr float kRim = 0.03f;       // share of the way from the middle that sources keep off the rim
 constexpr float kVeinRim = 0.012f;  // that veins keep off it
 constexpr int kMostSteps = 120;     // of a round
@@ -17,15 +17,16 @@ constexpr double kPipe = 3;         // exponent of the pipe model
 
 }  // namespace
 
-VeinTree::VeinTree(const Lamina& blade) : blade_(blade), corner_(-blade.wide(), blade.low()) {
-  columns_ = static_cast<int>(2 * blade.wide() / kGridCell) + 1;
-  rows_ = static_cast<int>((blade.high() - blade.low()) / kGridCell) + 1;
+VeinTree::VeinTree(const Lamina& blade)
+    : blade_(blade), corner_(-blade.wide(), blade.low()), cell_(kGridCell * std::max(1.0f, blade.wide())) {
+  columns_ = static_cast<int>(2 * blade.wide() / cell_) + 1;
+  rows_ = static_cast<int>((blade.high() - blade.low()) / cell_) + 1;
   first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), -1);
 }
 
 std::size_t VeinTree::cell_of(Vec2 p) const {
-  int x = std::clamp(static_cast<int>((p.x - corner_.x) / kGridCell), 0, columns_ - 1),
-      y = std::clamp(static_cast<int>((p.y - corner_.y) / kGridCell), 0, rows_ - 1);
+  int x = std::clamp(static_cast<int>((p.x - corner_.x) / cell_), 0, columns_ - 1),
+      y = std::clamp(static_cast<int>((p.y - corner_.y) / cell_), 0, rows_ - 1);
   return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
 }
 
@@ -58,7 +59,7 @@ void VeinTree::each_in_ring(Vec2 p, int ring, Visit visit) const {
 std::optional<std::uint32_t> VeinTree::nearest(Vec2 p, float reach, std::uint32_t end) const {
   std::optional<std::uint32_t> best;
   float least = reach;
-  for (int ring = 0; static_cast<float>(ring - 1) * kGridCell < least; ++ring)
+  for (int ring = 0; static_cast<float>(ring - 1) * cell_ < least; ++ring)
     each_in_ring(p, ring, [&](std::uint32_t i) {
       float d = glm::distance(veins_.point[i], p);
       // Of equally near ones the first, whatever order the cells have.
@@ -114,7 +115,7 @@ VeinTree::Attracted VeinTree::attracted(Vec2 source, bool loops) const {
   node.fill(-1), distance.fill(1e9f);
   float least = 1e9f;
   const int most = std::max(columns_, rows_);
-  for (int ring = 0; ring <= most && static_cast<float>(ring - 1) * kGridCell < kFarther * least; ++ring)
+  for (int ring = 0; ring <= most && static_cast<float>(ring - 1) * cell_ < kFarther * least; ++ring)
     each_in_ring(source, ring, [&](std::uint32_t i) {
       Vec2 off = veins_.point[i] - source;
       float d = glm::length(off);

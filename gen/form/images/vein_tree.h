@@ -49,6 +49,7 @@ class VeinTree {
   const Lamina& blade_;
   Veins veins_;
   Vec2 corner_{0};
+  float cell_;  // side of one of the grid
   int columns_ = 1, rows_ = 1;
   std::vector<std::int32_t> first_, next_;  // points of each cell, as lists
   std::vector<Vec2> pull_;                  // of each point, by the sources of a step

@@ -24,6 +24,8 @@ Veins grow_veins(const LeafOutline& outline, double finest, Seed seed) {
   Lamina blade(outline);
   VeinTree tree(blade);
   lay_main_veins(outline, blade, tree);
+  // Blades that are wider than long have a coarser net, so that it has no more veins.
+  finest *= std::max(1.0f, blade.wide());
   auto grow = [&](int k, double apart, double clear) {
     tree.colonize(apart, clear, static_cast<std::uint8_t>(3 + k), v.loops,
                   seed.child("order", static_cast<std::uint64_t>(k)));
