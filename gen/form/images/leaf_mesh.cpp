@@ -71,9 +71,14 @@ void add_curled(Surface& s, const LeafImage& leaf, int points, const Bending& b)
   }
 }
 
+/// The halves of a leaf, which all leaves of a sprig share.
+struct Halves {
+  HalfBlade right, left;
+};
+
 /// One leaf where it lies on its sprig; `above` keeps leaves apart that cross.
-void add_leaf(Surface& s, const LeafImage& leaf, const LeafPlace& place, int points, const Bending& b,
-              double above) {
+void add_leaf(Surface& s, const LeafImage& leaf, const LeafPlace& place, int points, const Halves& halves,
+              const Bending& b, double above) {
   auto c = static_cast<float>(std::cos(place.turn)), n = static_cast<float>(std::sin(place.turn));
   auto size = static_cast<float>(place.size);
   double slope = std::tan(b.fold);
@@ -87,7 +92,7 @@ void add_leaf(Surface& s, const LeafImage& leaf, const LeafPlace& place, int poi
   auto add_half = [&](int side) {
     auto start = static_cast<std::uint32_t>(s.position.size());
     // The picture mirrors the leaflets of the left side.
-    HalfBlade half = pleated_half(leaf.outline, points, place.turn < 0 ? -side : side, leaf.pleat);
+    const HalfBlade& half = (place.turn < 0) == (side < 0) ? halves.right : halves.left;
     for (Vec3 p : half.point) add(Vec2(p.x * static_cast<float>(side), p.y), p.z);
     for (auto [i, j, k] : half.triangle) {
       if (side < 0) std::swap(j, k);
@@ -125,15 +130,19 @@ void add_rachis(Surface& s, double top, const Bending& b) {
 Surface leaf_mesh(const LeafImage& leaf, int points, double fold, double bend, const LeafCurl& curl) {
   Surface s;
   Bending b{fold, bend, picture_frame(leaf), leaf.sprig ? LeafCurl{} : curl};
+  Halves halves;
+  if (b.curl.share <= 0)
+    halves = {pleated_half(leaf.outline, points, 1, leaf.pleat),
+              pleated_half(leaf.outline, points, -1, leaf.pleat)};
   if (leaf.sprig) {
     std::vector<LeafPlace> places = sprig_places(leaf.sprigs);
     double top = 0;
     for (const LeafPlace& p : places) top = std::max<double>(top, p.foot.y + 0.02);
     add_rachis(s, top, b);
     for (std::size_t i = 0; i < places.size(); ++i)
-      add_leaf(s, leaf, places[i], points, b, 0.004 * static_cast<double>(i % 3));
+      add_leaf(s, leaf, places[i], points, halves, b, 0.004 * static_cast<double>(i % 3));
   } else {
-    add_leaf(s, leaf, {}, points, b, 0);
+    add_leaf(s, leaf, {}, points, halves, b, 0);
   }
   set_normals(s);
   return s;

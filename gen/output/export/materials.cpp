@@ -34,7 +34,7 @@ Result<BakedPictures> leaf_pictures(const LeafLook& look, std::size_t color, int
   // In all seasons the same spots.
   Seed seed{color < look.colors.size() ? color : 0};
   Raster colors = leaf_picture(image, pixels, seed);
-  Grid height = leaf_heights(image, pixels, seed);
+  Grid height = image.photo ? Grid(colors.width, colors.height) : leaf_heights(image, pixels, seed);
   std::uint8_t rim[] = {to_byte(image.rim.red), to_byte(image.rim.green), to_byte(image.rim.blue)};
   for (std::size_t i = 0; i < height.data.size(); ++i) {
     std::uint8_t* pixel = &colors.data[4 * i];

@@ -85,10 +85,9 @@ Errors write_scene(const fs::path& root, const Still& still, const fs::path& fol
   for (const std::string& set : still.sets) words.push_back("--set=" + set);
   // Of a film eight frames more would be rendered. A still with a lens is resolved, in half of the time and
   // with less noise.
-  if (Result<Preset> preset = preset_of(still); preset && !preset->film.air) {
-    bool is_still = preset->film.frames == 1;
-    if (!is_still || !preset->setup.camera.aperture) words.emplace_back("--no-resolve");
-  }
+  if (Result<Preset> preset = preset_of(still);
+      preset && !preset->film.air && (preset->film.frames > 1 || !preset->setup.camera.aperture))
+    words.emplace_back("--no-resolve");
   return call_for(root, words);
 }
 

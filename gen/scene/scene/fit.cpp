@@ -257,6 +257,8 @@ class BestOrgan {
     }
   }
 
+  bool is_found() const { return !points_.empty(); }
+
   /// Points on its outside, with as much room round it as it is wide.
   std::vector<Vec3> points() const {
     std::vector<Vec3> wider = points_;
@@ -298,7 +300,7 @@ std::vector<Vec3> outside_of_part(const Scene& scene, const std::vector<std::str
     for (std::size_t i : order) {
       if (Result<Model> model = grow_copy(set.organism, copies.model[i]))
         best.add(*model, copies.foot[i], copies.turn[i], copies.scale[i]);
-      if (!best.points().empty()) break;
+      if (best.is_found()) break;
     }
   }
   return best.points();
