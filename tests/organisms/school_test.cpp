@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/parallel.h"
+#include "images/raster.h"
 #include "organisms/school/swimmer_shape.h"
 
 namespace frond {
@@ -189,6 +190,48 @@ Swing swing(Surface (*animal)(double), double aside) {
     if (up > high) high = up, at = static_cast<double>(k) / kPhases;
   }
   return {(high - low) / 2, at};
+}
+
+TEST(School, EyesStandOutOfTheHead) {
+  const FishForm form;
+  const Vec2 eye = fish_eye(form);
+  auto head = [&](double width) {
+    float out = 0;
+    for (Vec3 p : fish_surface(form, width, 0, 0).position)
+      if (std::hypot(0.5f - p.y - eye.x, p.z - eye.y) < 0.02f) out = std::max(out, std::abs(p.x));
+    return out;
+  };
+  EXPECT_GT(head(0.06), head(0) + 0.005f);
+}
+
+TEST(School, TheBodyClosesWhereTheTailBegins) {
+  const FishForm form;
+  auto thickness = [&](double from, double to) {
+    float least = 1, most = -1;
+    for (Vec3 p : fish_surface(form, 0, 0, 0).position)
+      if (double along = 0.5 - static_cast<double>(p.y); along > from && along < to)
+        least = std::min(least, p.x), most = std::max(most, p.x);
+    return most - least;
+  };
+  EXPECT_LT(thickness(kFishBody - 0.001, kFishBody + 0.001), 0.15f * thickness(0.55, 0.6));
+}
+
+TEST(School, LightPassesThroughFinsBetweenTheirRays) {
+  FishParams fish;
+  auto opacities = [&] {
+    const std::string bytes = (*swimmer_drawing(fish.animal, fish.form, fish.look).draw())[0].bytes;
+    const Raster picture = *read_png(bytes);
+    std::pair<int, int> both{255, 255};  // of the body's middle, and the least
+    if (picture.channels < 4) return both;
+    both.first = picture.data[picture.index(picture.width * 2 / 5, picture.height / 2) + 3];
+    for (std::size_t i = 3; i < picture.data.size(); i += 4)
+      both.second = std::min<int>(both.second, picture.data[i]);
+    return both;
+  };
+  EXPECT_EQ(opacities().first, 255);
+  EXPECT_LT(opacities().second, 180);
+  fish.look.clear = 0;
+  EXPECT_EQ(opacities().second, 255);
 }
 
 TEST(School, EveryAnimalIsASoundMeshOneUnitLarge) {

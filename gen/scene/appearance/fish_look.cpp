@@ -108,7 +108,7 @@ Color body_color(const FishForm& form, const FishLook& look, double along, doubl
   // The edge of the gill cover, part of an ellipse, and the mouth; each of them is darker by a share.
   constexpr double kGillAt = 0.10, kGillRadius = 0.125, kGillLong = 0.8, kGillFlat = 0.62, kGillWidth = 0.008;
   constexpr double kGillFrom = 0.12, kScalesFrom = 0.2, kMouthTo = 0.05;
-  constexpr double kGillDark = 0.28, kScalesDark = 0.30, kMouthDark = 0.5;
+  constexpr double kGillDark = 0.2, kScalesDark = 0.30, kMouthDark = 0.5;
   double gill = std::abs(std::hypot((along - kGillAt) / kGillLong, up * kGillFlat) - kGillRadius);
   if (along > kGillFrom) color = shaded(color, 1 - kGillDark * (1 - smooth_step(0.0, kGillWidth, gill)));
   if (along > kScalesFrom) color = shaded(color, 1 - kScalesDark * look.scales * scale_shade(along, up));
@@ -116,15 +116,20 @@ Color body_color(const FishForm& form, const FishLook& look, double along, doubl
   return color;
 }
 
-Color fin_color(const FishForm& form, const FishLook& look, double along, double up) {
+/// The skin of a fin, and how much of what lies behind it is hidden.
+struct FinSkin {
+  Color color;
+  double opacity;
+};
+
+FinSkin fin_skin(const FishForm& form, const FishLook& look, double along, double up) {
   Color color =
       mix(look.fins, look.tail, smooth_step(look.tail_from - kTailEdge, look.tail_from + kTailEdge, along));
   if (look.marked_fins && look.pattern != FishPattern::lines)
     color = marked(look, color, along, up, up > 0 ? 1 : 0, 0);
-  if (look.marked_fins) {
-    double half = fish_depth(form, std::min(along / kFishBody, 1.0));
+  double half = fish_depth(form, std::min(along / kFishBody, 1.0));
+  if (look.marked_fins)
     color = patched(look, color, along, 0.5 + 0.5 * up / std::max(half, 0.1 * form.depth));
-  }
   // Rays: along the tail, from a place before it, up and back on the other fins.
   constexpr double kFanFrom = 0.25, kFanRays = 46;  // how far before it, and how many by rise over run
   constexpr double kRays = 95, kBack = 0.35;        // on a length of fish; run by rise
@@ -132,14 +137,20 @@ Color fin_color(const FishForm& form, const FishLook& look, double along, double
   double across = along > kFishBody ? up / (kFanFrom + along - kFishBody) * kFanRays
                                     : (along - kBack * std::abs(up)) * kRays;
   // Those of fish without scales, as sharks are, are hidden.
-  double shown = kRelief * std::min(1.0, 4 * look.scales);
-  return shaded(color, kMean + shown * std::sin(2 * kPi * across));
+  double shown = std::min(1.0, 4 * look.scales), ray = std::sin(2 * kPi * across);
+  // A fin is flesh at its root and thins to its rim; its skin is clearest between the rays.
+  constexpr double kFlesh = 0.02, kThin = 0.10;  // from the body, in lengths of the fish
+  constexpr double kRayHides = 0.6;              // of what the skin lets through
+  constexpr double kTail = 0.5;                  // share of what other fins let through
+  double out = along > kFishBody ? along - kFishBody : std::abs(up) - half;
+  double clear = look.clear * (along > kFishBody ? kTail : 1) * shown * smooth_step(kFlesh, kThin, out) *
+                 (1 - kRayHides * (0.5 + 0.5 * ray));
+  return {shaded(color, kMean + kRelief * shown * ray), 1 - clear};
 }
 
 Color eye_over(const FishForm& form, const FishLook& look, Color color, double along, double up) {
-  constexpr double kBlunt = 0.105, kBeak = 0.04;  // where it is behind a blunt snout, and more behind a beak
-  constexpr double kRaised = 0.32;                // by half of the depth there
-  double middle = kBlunt + kBeak * form.snout, raised = kRaised * fish_depth(form, middle / kFishBody);
+  const Vec2 eye = fish_eye(form);
+  double middle = static_cast<double>(eye.x), raised = static_cast<double>(eye.y);
   // Socket, iris and pupil by the eye's radius, and a glint by its width.
   double r = std::hypot(along - middle, up - raised) / (look.eye / 2);
   color = mix(color, shaded(look.back, 0.5), 0.5 * (1 - smooth_step(1.0, 1.35, r)));
@@ -149,18 +160,31 @@ Color eye_over(const FishForm& form, const FishLook& look, Color color, double a
   return mix(color, {1, 1, 1}, 0.9 * (1 - smooth_step(0.06, 0.11, glint)));
 }
 
+/// 1 on the body, 0 on the fins. The body ends in the tail as a rounded wedge.
+double flesh_share(const FishForm& form, double along, double up) {
+  constexpr double kMiddle = 0.03, kRound = 0.05;   // how far it reaches into the tail; less at the edges
+  constexpr double kBefore = 0.02, kAfter = 0.012;  // about its end, of which it fades
+  double half = fish_depth(form, std::min(along / kFishBody, 1.0));
+  if (std::abs(up) >= half + 0.004) return 0;
+  double end = kFishBody + kMiddle - kRound * std::pow(up / half, 2);
+  return 1 - smooth_step(end - kBefore, end + kAfter, along);
+}
+
 Raster fish_picture(const FishForm& form, const FishLook& look) {
   int wide = look.pixels, high = static_cast<int>(std::lround(kSpan * look.pixels));
-  Raster picture(wide, high, 3);
+  Raster picture(wide, high, look.clear > 0 ? 4 : 3);
   for (int y = 0; y < high; ++y)
     for (int x = 0; x < wide; ++x) {
       double along = (x + 0.5) / wide, up = kSpan * (0.5 - (y + 0.5) / high);
-      double half = fish_depth(form, std::min(along / kFishBody, 1.0));
-      bool inside = along < kFishBody + 0.02 && std::abs(up) < half + 0.004;
-      Color color = inside ? eye_over(form, look, body_color(form, look, along, up), along, up)
-                           : fin_color(form, look, along, up);
+      FinSkin skin = fin_skin(form, look, along, up);
+      if (double flesh = flesh_share(form, along, up); flesh > 0) {
+        Color body = eye_over(form, look, body_color(form, look, along, up), along, up);
+        skin = {mix(skin.color, body, flesh), std::lerp(skin.opacity, 1.0, flesh)};
+      }
       std::uint8_t* pixel = &picture.data[picture.index(x, y)];
-      pixel[0] = to_byte(color.red), pixel[1] = to_byte(color.green), pixel[2] = to_byte(color.blue);
+      pixel[0] = to_byte(skin.color.red), pixel[1] = to_byte(skin.color.green),
+      pixel[2] = to_byte(skin.color.blue);
+      if (picture.channels == 4) pixel[3] = to_byte(static_cast<float>(skin.opacity));
     }
   return picture;
 }
@@ -235,6 +259,8 @@ void describe(Properties& v, FishLook& l) {
   v.number("eye", l.eye, {.min = 0, .max = 0.2}, "Width of the eye, as a share of the length");
   v.number("scales", l.scales, {.min = 0, .max = 1}, "How much scales show");
   v.number("gloss", l.gloss, {.min = 0, .max = 1}, "How much the fish shine");
+  v.number("clear", l.clear, {.min = 0, .max = 1},
+           "How much is seen through the skin of the fins: 0 nothing, 1 nearly all");
   v.integer("pixels", l.pixels, {.min = 32, .max = 2048}, "Width of the picture that they are painted with");
 }
 
@@ -251,6 +277,13 @@ double fish_depth(const FishForm& form, double at) {
     shape = form.peduncle + (1 - form.peduncle) * std::pow(ease, kFull);
   }
   return 0.5 * form.depth * shape;
+}
+
+Vec2 fish_eye(const FishForm& form) {
+  constexpr double kBlunt = 0.105, kBeak = 0.04;  // where it is behind a blunt snout, and more behind a beak
+  constexpr double kRaised = 0.32;                // by half of the depth there
+  double along = kBlunt + kBeak * form.snout;
+  return {static_cast<float>(along), static_cast<float>(kRaised * fish_depth(form, along / kFishBody))};
 }
 
 double dorsal_height(const FishForm& form, double at) {

@@ -76,6 +76,7 @@ struct FishLook {
   double eye = 0.055;   ///< its width, as a share of the length
   double scales = 0.5;  ///< strength of the scales
   double gloss = 0.5;   ///< 0 matt .. 1 wet and polished
+  double clear = 0.35;  ///< how much is seen through the skin of the fins: 0 nothing .. 1 all
   int pixels = 384;     ///< of the picture, along the fish
 };
 
@@ -85,7 +86,10 @@ void describe(Properties& v, FishLook& l);
 /// middle. The lower part of the picture holds the fins at the sides.
 Vec2 fish_uv(double along, double up);
 
-/// The picture of a fish from the side, and its name.
+/// The middle of the eye: share of the length from the nose, and above the middle line.
+Vec2 fish_eye(const FishForm& form);
+
+/// The picture of a fish from the side, and its name. Its fins let light through between their rays.
 Drawing fish_drawing(const FishForm& form, const FishLook& look);
 std::string fish_picture_name(const FishForm& form, const FishLook& look);
 

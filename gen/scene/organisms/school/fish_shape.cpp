@@ -7,21 +7,27 @@ namespace frond {
 
 namespace {
 
-constexpr int kRings = 22, kRound = 14;  // of the body
+constexpr int kRings = 26, kRound = 14;  // of the body
 constexpr int kFinSteps = 12;            // along a fin
 constexpr double kTailOverlap = 0.03;    // of the tail's root in the body
+constexpr double kRoundness = 0.92;      // power of the height: 1 makes the rings ellipses
 
-void add_body(Surface& mesh, const FishForm& form) {
+/// Half the thickness of the body, in lengths of the fish, at a position 0..1 from the nose.
+double fish_thickness(const FishForm& form, double at) {
   constexpr double kGills = 0.25;                     // where they end, as a share of the body
   constexpr double kThickness = 1.05, kThins = 0.75;  // of FishForm::width: at the gills, less at the tail
-  constexpr double kRoundness = 0.92;                 // power of the height: 1 makes the rings ellipses
+  constexpr double kCloses = 0.86;  // from where it narrows to the edge that the tail stands on
+  // Behind the gills the body thins sooner than it narrows.
+  double thin = at < kGills ? kThickness : kThickness - kThins * smooth_step(kGills, 1.0, at);
+  double end = std::max(0.0, (at - kCloses) / (1 - kCloses));
+  return fish_depth(form, at) * form.width * thin * std::sqrt(1 - 0.99 * end * end);
+}
+
+void add_body(Surface& mesh, const FishForm& form) {
   auto first = static_cast<std::uint32_t>(mesh.position.size());
   for (int i = 0; i <= kRings; ++i) {
     double t = static_cast<double>(i) / kRings, s = t * t * (1.6 - 0.6 * t);  // closer at the nose
-    double along = kFishBody * s, half = fish_depth(form, s);
-    // Behind the gills the body thins sooner than it narrows.
-    double thick =
-        half * form.width * (s < kGills ? kThickness : kThickness - kThins * smooth_step(kGills, 1.0, s));
+    double along = kFishBody * s, half = fish_depth(form, s), thick = fish_thickness(form, s);
     for (int k = 0; k < kRound; ++k) {
       double turn = 2 * kPi * k / kRound, c = std::cos(turn), z = std::sin(turn);
       double up = half * (z < 0 ? -1 : 1) * std::pow(std::abs(z), kRoundness), out = thick * c;
@@ -35,6 +41,29 @@ void add_body(Surface& mesh, const FishForm& form) {
       if (i > 0) mesh.triangle.push_back({a, b, a + kRound});
       mesh.triangle.push_back({b, b + kRound, a + kRound});
     }
+}
+
+/// The eyes, which stand out from the head as domes.
+void add_eyes(Surface& mesh, const FishForm& form, double width) {
+  constexpr double kRim = 0.56, kStandsOut = 0.2, kSunk = 0.96;  // of its width; of the head's thickness
+  if (width <= 0) return;
+  const Vec2 eye = fish_eye(form);
+  for (double side : {-1.0, 1.0}) {
+    auto flat = [=](double t, double r) {
+      double reach = kRim * width * r, turn = side * 2 * kPi * t;
+      return std::pair(static_cast<double>(eye.x) + reach * std::cos(turn),
+                       static_cast<double>(eye.y) + reach * std::sin(turn));
+    };
+    auto at = [&](double t, double r) {
+      auto [along, up] = flat(t, r);
+      double s = std::max(0.0, along / kFishBody), half = std::max(fish_depth(form, s), 1e-6);
+      double z = std::pow(std::min(1.0, std::abs(up) / half), 1 / kRoundness);
+      double skin = fish_thickness(form, s) * std::sqrt(1 - z * z);
+      return swimmer_place(along, up, side * (kSunk * skin + kStandsOut * width * (1 - r * r)));
+    };
+    add_sheet(mesh, 12, 4, at,
+              [&](double t, double r) { return fish_uv(flat(t, r).first, flat(t, r).second); });
+  }
 }
 
 /// How far the tail reaches back at a height, -1..1 of half its depth, as a share of its length. Hollow tails
@@ -175,9 +204,10 @@ void add_sheet(Surface& mesh, int columns, int rows, FunctionRef<Vec3(double, do
     }
 }
 
-Surface fish_surface(const FishForm& form, double phase, double bend) {
+Surface fish_surface(const FishForm& form, double eye, double phase, double bend) {
   Surface mesh;
   add_body(mesh, form);
+  add_eyes(mesh, form, eye);
   add_fins(mesh, form);
   bend_fish(mesh, phase, bend);
   set_normals(mesh);

@@ -14,7 +14,7 @@ Surface shape_of(const FishParams& fish, int shape) {
   double phase = static_cast<double>(shape) / kShapes;
   switch (fish.animal) {
     case SeaAnimal::fish:
-      return fish_surface(fish.form, static_cast<double>(shape % kTailPhases) / kTailPhases,
+      return fish_surface(fish.form, fish.look.eye, static_cast<double>(shape % kTailPhases) / kTailPhases,
                           static_cast<double>(shape / kTailPhases) - 1.0);
     case SeaAnimal::turtle:
       return turtle_surface(phase);

@@ -9,8 +9,8 @@ namespace frond {
 // Animals one unit long, the nose toward +y, the back toward +z, at a phase 0..1 of their stroke. A turtle is
 // one from nose to shell's end, a manta from wingtip to wingtip, a jellyfish across its bell.
 
-/// A fish, bent sideways by `bend`, -1 right .. 1 left.
-Surface fish_surface(const FishForm& form, double phase, double bend);
+/// A fish with eyes of a width, bent sideways by `bend`, -1 right .. 1 left.
+Surface fish_surface(const FishForm& form, double eye, double phase, double bend);
 
 Surface turtle_surface(double phase);
 Surface manta_surface(double phase);
