@@ -12,8 +12,9 @@ Runs the tests; the summary is ctest's. Those labelled "slow", which take second
 programs, are left out and told unless --all is given. Options go to ctest: -L scripts runs the tests of one label,
 -R NAME those of a name.
 
-  --all     all of them, and installs what they need; and then the quick ones of the library once more, in
-            build-asan, with asserts and the address and undefined behaviour sanitizers
+  --all     all of them, and installs what they need; and then quick ones of the modules that grow and compute once
+            more, and the program on some presets, in build-asan, with asserts and the address and undefined behaviour
+            sanitizers
   --rest    only what --all adds, for where the others have just been run; a large test that fails runs once more, since
             a browser or a queue of jobs keeps limits of time of its own on a busy machine: ctest shows both runs
   --help    this text
