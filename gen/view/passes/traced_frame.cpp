@@ -129,6 +129,12 @@ bool TracedFrame::lit(const PassHit& hit) const {
   return parts_->open(ray_of(hit.at + clear * hit.normal, toward, clear, far));
 }
 
+float TracedFrame::facing(Vec3 at, Vec3 normal) const {
+  Vec3 toward = parts_->light;
+  if (parts_->is_lamp) toward = (toward - at) / std::max(glm::distance(toward, at), 1e-6f);
+  return glm::dot(normal, toward);
+}
+
 bool TracedFrame::open(Vec3 from, Vec3 direction) const {
   return parts_->open(ray_of(from, direction, 1e-3f, std::numeric_limits<float>::infinity()));
 }

@@ -58,6 +58,8 @@ void Gatherer::add_ray(Vec2 place, int ray, float spread) {
   }
   ++found->rays;
   found->place += (place - found->place) / static_cast<float>(found->rays);
+  if (lit)
+    found->facing += (now_.facing(hit->at, hit->normal) - found->facing) / static_cast<float>(found->rays);
 }
 
 void Gatherer::find_shown(int x, int y) {
@@ -112,17 +114,47 @@ bool Gatherer::gather(const Shown& one, int pass, Vec3& light) {
     low *= low, high *= high;
   }
   Vec3 sum(0);
-  float weight = 0;
+  float weight = 0, facing = 0;
   for (const RawSample* s : taken_) {
     Vec2 aside = s->place - one.place;
     float w = std::exp(-glm::dot(aside, aside) / (2 * sigma * sigma) -
                        static_cast<float>(std::abs(s->age) / options_.fade));
     sum += w * (s->age == 0 ? s->light : glm::clamp(s->light, low, high));
+    facing += w * s->facing;
     weight += w;
   }
   if (weight < kLeastWeight) return false;
   light = sum / weight;
+  if (one.lit && pass < kPasses - 1) turn_light(one, facing / weight, light);
   return true;
+}
+
+/// Round what is narrower than a pixel the light falls from bright to none. What a few samples of it have
+/// that face the main light so far is carried to how the surface does, as the light of all around changes
+/// with that.
+void Gatherer::turn_light(const Shown& one, float facing, Vec3& light) {
+  constexpr float kSame = 0.02f;  // cosine
+  if (std::abs(one.facing - facing) < kSame) return;
+  constexpr int kReach = 3;               // cells
+  constexpr float kLeastSpread = 0.004f;  // added to the variance of how samples face the light
+  Vec3 mean(0), by_facing(0), least = light, most = light;
+  float count = 0, mean_facing = 0, square = 0;
+  glm::ivec2 cell(one.place);
+  for (int j = std::max(0, cell.y - kReach); j <= std::min(grid_.height() - 1, cell.y + kReach); ++j)
+    for (int i = std::max(0, cell.x - kReach); i <= std::min(grid_.width() - 1, cell.x + kReach); ++i)
+      for (const RawSample& s : grid_.in(i, j)) {
+        if (!s.lit || s.surface != one.surface || std::abs(s.away - one.away) > kNearDepth * one.away)
+          continue;
+        count += 1;
+        mean += s.light, by_facing += s.facing * s.light;
+        mean_facing += s.facing, square += s.facing * s.facing;
+        least = glm::min(least, s.light), most = glm::max(most, s.light);
+      }
+  if (count < 3) return;
+  mean /= count, mean_facing /= count;
+  float spread = std::max(square / count - mean_facing * mean_facing, 0.0f) + kLeastSpread;
+  light += (one.facing - facing) / spread * (by_facing / count - mean_facing * mean);
+  light = glm::clamp(light, least, most);
 }
 
 Vec3 Gatherer::pixel(int x, int y) {

@@ -23,6 +23,7 @@ struct RawSample {
   Thing surface;
   int age = 0;  ///< frames: that of its raw frame from this one
   bool lit = false;
+  float facing = 0;  ///< of what is lit, TracedFrame::facing()
 };
 
 /// Some rows of a picture.
@@ -73,7 +74,8 @@ class Gatherer {
     bool lit = false;
     float away = 0;
     Vec3 at{0}, normal{0};
-    Vec2 place{0};  // mean of its rays
+    Vec2 place{0};     // mean of its rays
+    float facing = 0;  // likewise
     int rays = 0;
   };
 
@@ -81,6 +83,7 @@ class Gatherer {
   void add_ray(Vec2 place, int ray, float spread);
   /// The mean light of samples of a surface; false where there are none. Each pass takes more of them.
   bool gather(const Shown& one, int pass, Vec3& light);
+  void turn_light(const Shown& one, float facing, Vec3& light);
 
   const SampleGrid& grid_;
   const TracedFrame& now_;
