@@ -284,6 +284,10 @@ Raster quick_look(const Scene& scene, double time, std::array<int, 2> size) {
   Pixels pixels(width, height), from_sun(kShadowSide, kShadowSide);
   ToSun sun = sun_over(scene, light.sun, from_sun);
   ToPicture picture_sink{lens, pixels};
+  // No shadow is finer than this share of a pixel: nodes may span much less than the animals that they bear.
+  constexpr float kFinest = 0.25f;
+  sun.half =
+      std::max(sun.half, kFinest * picture_sink.pixel(glm::distance(sun.middle, lens.at)) * kShadowSide / 2);
   for (const Specimen& s : scene.specimens) {
     auto now = developed(s, time);
     if (!now) continue;
