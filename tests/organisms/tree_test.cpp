@@ -218,6 +218,22 @@ TEST(Tree, BareWoodStandsAtTheEndsOfStubs) {
   }
 }
 
+TEST(Tree, HasTheSameShapesAtAllTimes) {
+  TreeParams params = sapling();
+  params.years = 40, params.species.clear_trunk = 8;
+  TreeSite site{&params, Vec3(0), Quat(1, 0, 0, 0), 1, Seed{3}};
+  Grove grove = grow_trees({&site, 1}, true, Seed{1});
+  ASSERT_FALSE(grove.trees[0].scars.empty());
+  std::vector<std::string> last;
+  for (double year : {0.5, 10.0, 25.0, 40.0}) {
+    std::vector<std::string> names;
+    for (const Prototype& p : tree_model(params, grove.trees[0], year, {0.4, 1}, Seed{2}).prototypes)
+      names.push_back(p.name);
+    EXPECT_TRUE(last.empty() || names == last) << year;
+    last = names;
+  }
+}
+
 /// A ring of a tree's stem: how often the picture goes round it, and its middle.
 struct Ring {
   float round = 0;

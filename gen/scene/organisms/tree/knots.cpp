@@ -78,7 +78,6 @@ std::vector<Knot> add_knots(Skeleton& skeleton, const Standing& now, const Grown
 }
 
 void add_wounds(Model& model, std::span<const Knot> knots) {
-  if (std::ranges::none_of(knots, [](const Knot& k) { return k.wound > 0; })) return;
   auto prototype = static_cast<std::uint16_t>(model.prototypes.size());
   model.prototypes.push_back(wound_shape());
   Organs& o = model.organs;

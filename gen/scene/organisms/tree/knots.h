@@ -24,7 +24,8 @@ struct Knot {
 std::vector<Knot> add_knots(Skeleton& skeleton, const Standing& now, const GrownTree& tree,
                             std::span<const std::int32_t> node, double length, double year, Seed seed);
 
-/// Adds bare wood to the ends of stubs that are not closed.
+/// Adds bare wood to the ends of stubs that are not closed. Its shape is added where there are none as well:
+/// a model has the same shapes at all times.
 void add_wounds(Model& model, std::span<const Knot> knots);
 
 }  // namespace frond

@@ -364,7 +364,7 @@ Model tree_model(const TreeParams& params, const GrownTree& tree, double year, c
   if (params.leaves.size > 0) add_sprigs(model, now, tree, node, params, seed.child("sprig"));
   add_axes(model, now, tree, node, year);
   for (Knot& knot : knots) knot.node = order[static_cast<std::size_t>(knot.node)];
-  add_wounds(model, knots);
+  if (params.knots > 0 && !tree.scars.empty()) add_wounds(model, knots);
   return model;
 }
 
