@@ -116,13 +116,13 @@ Color body_color(const FishForm& form, const FishLook& look, double along, doubl
   return color;
 }
 
-/// The skin of a fin, and how much of what lies behind it is hidden.
-struct FinSkin {
+/// The skin at a place, and how much of what lies behind it is hidden.
+struct FishSkin {
   Color color;
   double opacity;
 };
 
-FinSkin fin_skin(const FishForm& form, const FishLook& look, double along, double up) {
+FishSkin fin_skin(const FishForm& form, const FishLook& look, double along, double up) {
   Color color =
       mix(look.fins, look.tail, smooth_step(look.tail_from - kTailEdge, look.tail_from + kTailEdge, along));
   if (look.marked_fins && look.pattern != FishPattern::lines)
@@ -170,17 +170,22 @@ double flesh_share(const FishForm& form, double along, double up) {
   return 1 - smooth_step(end - kBefore, end + kAfter, along);
 }
 
+FishSkin fish_skin(const FishForm& form, const FishLook& look, double along, double up) {
+  double flesh = flesh_share(form, along, up);
+  if (flesh <= 0) return fin_skin(form, look, along, up);
+  Color body = eye_over(form, look, body_color(form, look, along, up), along, up);
+  if (flesh >= 1) return {body, 1};
+  FishSkin fin = fin_skin(form, look, along, up);
+  return {mix(fin.color, body, flesh), std::lerp(fin.opacity, 1.0, flesh)};
+}
+
 Raster fish_picture(const FishForm& form, const FishLook& look) {
   int wide = look.pixels, high = static_cast<int>(std::lround(kSpan * look.pixels));
   Raster picture(wide, high, look.clear > 0 ? 4 : 3);
   for (int y = 0; y < high; ++y)
     for (int x = 0; x < wide; ++x) {
       double along = (x + 0.5) / wide, up = kSpan * (0.5 - (y + 0.5) / high);
-      FinSkin skin = fin_skin(form, look, along, up);
-      if (double flesh = flesh_share(form, along, up); flesh > 0) {
-        Color body = eye_over(form, look, body_color(form, look, along, up), along, up);
-        skin = {mix(skin.color, body, flesh), std::lerp(skin.opacity, 1.0, flesh)};
-      }
+      FishSkin skin = fish_skin(form, look, along, up);
       std::uint8_t* pixel = &picture.data[picture.index(x, y)];
       pixel[0] = to_byte(skin.color.red), pixel[1] = to_byte(skin.color.green),
       pixel[2] = to_byte(skin.color.blue);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "draw/levels.h"
 #include "light/light.h"
@@ -108,6 +109,9 @@ class TracedFrame {
   float sharp = 1;  ///< metres along its axis to what is in focus
 
  private:
+  /// The direction, of length 1, from a place to the main light's middle, and how far that is.
+  std::pair<Vec3, float> to_light(Vec3 at) const;
+
   std::unique_ptr<Parts> parts_;
 };
 

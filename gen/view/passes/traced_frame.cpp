@@ -116,24 +116,21 @@ std::optional<PassHit> TracedFrame::trace(Vec3 from, Vec3 direction) const {
   return hit;
 }
 
+std::pair<Vec3, float> TracedFrame::to_light(Vec3 at) const {
+  if (!parts_->is_lamp) return {parts_->light, std::numeric_limits<float>::infinity()};
+  Vec3 way = parts_->light - at;
+  float far = glm::length(way);
+  return {way / std::max(far, 1e-6f), far};
+}
+
 bool TracedFrame::lit(const PassHit& hit) const {
-  Vec3 toward = parts_->light;
-  float far = std::numeric_limits<float>::infinity();
-  if (parts_->is_lamp) {
-    toward -= hit.at;
-    far = glm::length(toward);
-    toward /= std::max(far, 1e-6f);
-  }
+  auto [toward, far] = to_light(hit.at);
   if (glm::dot(hit.normal, toward) <= 0) return false;
   float clear = kClear * std::max(glm::distance(hit.at, eye.at), 1.0f);
   return parts_->open(ray_of(hit.at + clear * hit.normal, toward, clear, far));
 }
 
-float TracedFrame::facing(Vec3 at, Vec3 normal) const {
-  Vec3 toward = parts_->light;
-  if (parts_->is_lamp) toward = (toward - at) / std::max(glm::distance(toward, at), 1e-6f);
-  return glm::dot(normal, toward);
-}
+float TracedFrame::facing(Vec3 at, Vec3 normal) const { return glm::dot(normal, to_light(at).first); }
 
 bool TracedFrame::open(Vec3 from, Vec3 direction) const {
   return parts_->open(ray_of(from, direction, 1e-3f, std::numeric_limits<float>::infinity()));
