@@ -216,6 +216,46 @@ TEST(School, TheBodyClosesWhereTheTailBegins) {
   EXPECT_LT(thickness(kFishBody - 0.001, kFishBody + 0.001), 0.15f * thickness(0.55, 0.6));
 }
 
+TEST(School, BackAndBellyAreArchedApartAtTheSameDepth) {
+  FishForm form;
+  form.arch = 0.3;
+  for (double at : {0.1, 0.4, 0.8}) {
+    double up = fish_height(form, at, 1), down = fish_height(form, at, -1);
+    EXPECT_NEAR(up + down, 2 * fish_depth(form, at), 1e-12);
+    EXPECT_NEAR(up / down, 1.3 / 0.7, 1e-9);
+  }
+}
+
+TEST(School, AFinWithSpinesIsNotchedBetweenThem) {
+  FishForm form;
+  form.dorsal = 0.2;
+  auto peaks = [&] {  // of the outline of its back
+    std::vector<float> top(60, -1);
+    for (Vec3 p : fish_surface(form, 0, 0, 0).position)
+      if (auto k = static_cast<std::size_t>(60 * (0.5f - p.y)); k > 14 && k < 40) top[k] = std::max(top[k], p.z);
+    int count = 0;
+    for (std::size_t k = 16; k < 39; ++k) count += top[k] > top[k - 1] && top[k] > top[k + 1];
+    return count;
+  };
+  EXPECT_GE(peaks(), 5);
+  form.dorsal_shape = DorsalShape::ribbon;
+  EXPECT_LE(peaks(), 2);
+}
+
+TEST(School, HeightsOfTheSkinAreOfTheShapeAlone) {
+  FishParams fish;
+  FishLook red = fish.look;
+  red.flank = {1, 0, 0}, red.pattern = FishPattern::bars;
+  EXPECT_EQ(fish_relief_name(fish.form, fish.look), fish_relief_name(fish.form, red));
+  const std::string bytes = (*fish_relief(fish.form, fish.look).draw())[0].bytes;
+  const Raster heights = *read_png(bytes);
+  // The gill cover stands off: before its edge the skin is higher than behind it.
+  auto height = [&](double along) {
+    return heights.at(static_cast<int>(along * heights.width), heights.height / 2, 0);
+  };
+  EXPECT_GT(height(0.195), height(0.215) + 20);
+}
+
 TEST(School, LightPassesThroughFinsBetweenTheirRays) {
   FishParams fish;
   auto opacities = [&] {

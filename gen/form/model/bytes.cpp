@@ -45,7 +45,8 @@ std::size_t bytes_of(const std::vector<Prototype>& prototypes) {
   for (const Prototype& prototype : prototypes) {
     bytes += sum_of(prototype.name, prototype.colors) + prototype.parts.capacity() * sizeof(OrganPart);
     for (const OrganPart& part : prototype.parts) {
-      bytes += bytes_of(part.surface) + part.pictures.capacity() * sizeof(std::string);
+      bytes +=
+          bytes_of(part.surface) + bytes_of(part.relief) + part.pictures.capacity() * sizeof(std::string);
       for (const std::string& picture : part.pictures) bytes += bytes_of(picture);
     }
   }

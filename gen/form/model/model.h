@@ -22,7 +22,8 @@ struct OrganPart {
   Tissue tissue = Tissue::leaf;
   Surface surface;
   std::vector<std::string> pictures =
-      {};  ///< PNG files, one for each colour of the prototype; empty: a plain tissue
+      {};                   ///< PNG files, one for each colour of the prototype; empty: a plain tissue
+  std::string relief = {};  ///< a PNG file of heights; empty: what is pale in the picture is high
 };
 
 /// Optical properties of an organ, if given.

@@ -25,15 +25,17 @@ std::string organ_name(std::size_t entry, std::size_t prototype, std::size_t par
 /// What is clear at its rims is hollow, since POV-Ray has no fog within what is not.
 constexpr std::string_view kHollow = " hollow ";
 
-/// The texture of a leaf that shows the picture `name`.
-std::string picture_look(std::string_view name, std::size_t shade, const std::optional<Luster>& luster) {
+/// The texture of a part that shows the picture `name`.
+std::string picture_look(const OrganPart& part, std::string_view name, std::size_t shade,
+                         const std::optional<Luster>& luster) {
   if (luster && luster->yellow > 0) {
     std::string leaf = fmt::format("\"{}\",{},{:.4g},{:.4g}", name, shade, luster->through, luster->yellow);
     return fmt::format(
         "texture{{Tree_Lit({0},{1:.4g},{2:.4g})}}interior_texture{{Tree_Lit_Under({0},{2:.4g})}}{3}", leaf,
         luster->gloss, luster->relief, kHollow);
   }
-  return lustrous(fmt::format("Tree_Leaf(\"{}\",{})", name, shade), luster, "Tree_Veined", name)
+  return lustrous(fmt::format("Tree_Leaf(\"{}\",{})", name, shade), luster, "Tree_Veined",
+                  part.relief.empty() ? name : part.relief)
       .append(kHollow);
 }
 
@@ -58,7 +60,8 @@ std::size_t write_group(const PovSpace& space, const DrawList& drawn, const Orga
       if (text.size() > kPiece) out(text), text.clear();
     }
     if (!prototype.parts[part].pictures.empty())
-      text += picture_look(prototype.parts[part].pictures[group.color], group.shade, prototype.luster) +
+      text += picture_look(prototype.parts[part], prototype.parts[part].pictures[group.color], group.shade,
+                           prototype.luster) +
               shift_over(drawn.traits.shift, prototype.colors[group.color]);
     else
       text += tissue_text(prototype.parts[part].tissue, group.tint, prototype.second, group.shade,

@@ -1,14 +1,7 @@
 #include "appearance/fish_look.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-
-#include "appearance/paint.h"
-#include "core/content.h"
-#include "images/tiling_noise.h"
-#include "preset/keys.h"
 
 namespace frond {
 
@@ -29,170 +22,7 @@ constexpr Choice<FishPattern> kFishPatterns[] = {{"plain", FishPattern::plain, "
                                                  {"spots", FishPattern::spots, "round spots"},
                                                  {"net", FishPattern::net, "a net of lines"}};
 
-// Places and lengths are in lengths of the fish, marks and shades by eye.
-constexpr double kSpan = 1.1;       // height of the picture
-constexpr double kTailEdge = 0.02;  // half of what the tail's colour begins on
 constexpr double kAnalFrom = 0.52, kAnalLength = 0.23;
-
-/// 1 inside a band round `middle`, 0 outside, with a soft edge.
-double band(double x, double middle, double half, double soft) {
-  return 1 - smooth_step(half - soft, half + soft, std::abs(x - middle));
-}
-
-/// How much of a cell's mark is at a place, 0..1: of a spot, or of the net between them. A fish's length
-/// holds `marks` cells, and marks are from `mark_from` to `mark_to` of the depth.
-double cell_mark(const FishLook& look, double along, double up, double share) {
-  constexpr int kCells = 64;  // until they repeat, more than there are
-  constexpr double kSoft = 0.15;
-  Cells cells = tiling_cells(along * look.marks + 8, up * look.marks + 32, kCells, kCells, Seed{11});
-  double half = look.mark_width * look.marks / 2, soft = kSoft * half;
-  double from = smooth_step(look.mark_from - 0.06, look.mark_from + 0.06, share),
-         to = 1 - smooth_step(look.mark_to - 0.06, look.mark_to + 0.06, share);
-  double mark = look.pattern == FishPattern::spots ? cells.nearest : (cells.second - cells.nearest) / 2;
-  return from * to * (1 - smooth_step(half - soft, half + soft, mark));
-}
-
-/// Draws the marks over a colour.
-Color marked(const FishLook& look, Color color, double along, double up, double share, double wobble) {
-  if (look.pattern == FishPattern::plain) return color;
-  if (look.pattern == FishPattern::spots || look.pattern == FishPattern::net)
-    return mix(color, look.mark, cell_mark(look, along, up, share));
-  constexpr double kSoftBar = 0.006, kSoftLine = 0.02;  // half of an edge; of lines by the depth
-  constexpr double kLengthByDepth = 2.5;                // lines are measured across the depth
-  constexpr double kWobble = 0.012;
-  bool bars = look.pattern == FishPattern::bars;
-  double x = bars ? along : share, across = bars ? share : along, half = look.mark_width / 2,
-         soft = bars ? kSoftBar : kSoftLine;
-  x += look.mark_slant * (across - 0.5) + look.mark_bow * 4 * across * (1 - across);
-  if (!bars) half *= kLengthByDepth, soft = std::min(soft, half / 2);
-  for (int i = 0; i < look.marks; ++i) {
-    double t = look.marks > 1 ? static_cast<double>(i) / (look.marks - 1) : 0;
-    double middle = look.mark_from + (look.mark_to - look.mark_from) * t + kWobble * wobble;
-    if (bars) middle += 0.03 * std::sin(kPi * share) - 0.02;  // they bow forward at the flank
-    if (look.edging > 0) color = mix(color, look.edge, band(x, middle, half * (1 + look.edging), soft));
-    color = mix(color, look.mark, band(x, middle, half, soft));
-  }
-  return color;
-}
-
-/// Draws the patches over a colour.
-Color patched(const FishLook& look, Color color, double along, double share) {
-  for (const FishPatch& patch : look.patches) {
-    Vec2 half = 0.5f * patch.size;
-    double x = (along - static_cast<double>(patch.at.x) - patch.slant * (share - 0.5)) /
-               static_cast<double>(half.x),
-           y = (share - static_cast<double>(patch.at.y)) / static_cast<double>(half.y);
-    color = mix(color, patch.color, 1 - smooth_step(1 - patch.soft, 1 + patch.soft, std::hypot(x, y)));
-  }
-  return color;
-}
-
-/// The rows of scales: darker where one lies over the next.
-double scale_shade(double along, double up) {
-  constexpr double kHigh = 0.016, kLong = 0.02;  // a scale
-  double row = up / kHigh, column = along / kLong + 0.5 * (static_cast<int>(std::floor(row)) & 1);
-  double y = row - std::floor(row) - 0.5, x = column - std::floor(column) - 0.5;
-  constexpr double kRimFrom = 0.30, kRimTo = 0.56;  // from a scale's middle, by its size
-  constexpr double kMean = 0.35;                    // about, so that scales do not darken it all
-  return smooth_step(kRimFrom, kRimTo, std::hypot(x, y)) - kMean;
-}
-
-Color body_color(const FishForm& form, const FishLook& look, double along, double up) {
-  double half = fish_depth(form, std::min(along / kFishBody, 1.0));
-  double share = std::clamp(0.5 + 0.5 * up / std::max(half, 1e-3), 0.0, 1.0);  // 0 belly .. 1 back
-  Color color = mix(look.belly, look.flank, smooth_step(0.08, 0.42, share));
-  color = mix(color, look.back, smooth_step(0.55, 0.95, share));
-  color = mix(color, look.tail, smooth_step(look.tail_from - kTailEdge, look.tail_from + kTailEdge, along));
-  double wobble = std::sin(23 * along + 5) * std::sin(31 * up + 2);
-  color = patched(look, marked(look, color, along, up, share, wobble), along, share);
-  // The edge of the gill cover, part of an ellipse, and the mouth; each of them is darker by a share.
-  constexpr double kGillAt = 0.10, kGillRadius = 0.125, kGillLong = 0.8, kGillFlat = 0.62, kGillWidth = 0.008;
-  constexpr double kGillFrom = 0.12, kScalesFrom = 0.2, kMouthTo = 0.05;
-  constexpr double kGillDark = 0.2, kScalesDark = 0.30, kMouthDark = 0.5;
-  double gill = std::abs(std::hypot((along - kGillAt) / kGillLong, up * kGillFlat) - kGillRadius);
-  if (along > kGillFrom) color = shaded(color, 1 - kGillDark * (1 - smooth_step(0.0, kGillWidth, gill)));
-  if (along > kScalesFrom) color = shaded(color, 1 - kScalesDark * look.scales * scale_shade(along, up));
-  if (along < kMouthTo) color = shaded(color, 1 - kMouthDark * band(up, -0.012 - 0.1 * along, 0.004, 0.003));
-  return color;
-}
-
-/// The skin at a place, and how much of what lies behind it is hidden.
-struct FishSkin {
-  Color color;
-  double opacity;
-};
-
-FishSkin fin_skin(const FishForm& form, const FishLook& look, double along, double up) {
-  Color color =
-      mix(look.fins, look.tail, smooth_step(look.tail_from - kTailEdge, look.tail_from + kTailEdge, along));
-  if (look.marked_fins && look.pattern != FishPattern::lines)
-    color = marked(look, color, along, up, up > 0 ? 1 : 0, 0);
-  double half = fish_depth(form, std::min(along / kFishBody, 1.0));
-  if (look.marked_fins)
-    color = patched(look, color, along, 0.5 + 0.5 * up / std::max(half, 0.1 * form.depth));
-  // Rays: along the tail, from a place before it, up and back on the other fins.
-  constexpr double kFanFrom = 0.25, kFanRays = 46;  // how far before it, and how many by rise over run
-  constexpr double kRays = 95, kBack = 0.35;        // on a length of fish; run by rise
-  constexpr double kMean = 0.93, kRelief = 0.13;    // of their shade
-  double across = along > kFishBody ? up / (kFanFrom + along - kFishBody) * kFanRays
-                                    : (along - kBack * std::abs(up)) * kRays;
-  // Those of fish without scales, as sharks are, are hidden.
-  double shown = std::min(1.0, 4 * look.scales), ray = std::sin(2 * kPi * across);
-  // A fin is flesh at its root and thins to its rim; its skin is clearest between the rays.
-  constexpr double kFlesh = 0.02, kThin = 0.10;  // from the body, in lengths of the fish
-  constexpr double kRayHides = 0.6;              // of what the skin lets through
-  constexpr double kTail = 0.5;                  // share of what other fins let through
-  double out = along > kFishBody ? along - kFishBody : std::abs(up) - half;
-  double clear = look.clear * (along > kFishBody ? kTail : 1) * shown * smooth_step(kFlesh, kThin, out) *
-                 (1 - kRayHides * (0.5 + 0.5 * ray));
-  return {shaded(color, kMean + kRelief * shown * ray), 1 - clear};
-}
-
-Color eye_over(const FishForm& form, const FishLook& look, Color color, double along, double up) {
-  const Vec2 eye = fish_eye(form);
-  double middle = static_cast<double>(eye.x), raised = static_cast<double>(eye.y);
-  // Socket, iris and pupil by the eye's radius, and a glint by its width.
-  double r = std::hypot(along - middle, up - raised) / (look.eye / 2);
-  color = mix(color, shaded(look.back, 0.5), 0.5 * (1 - smooth_step(1.0, 1.35, r)));
-  color = mix(color, look.iris, 1 - smooth_step(0.92, 1.06, r));
-  color = mix(color, {0.015f, 0.015f, 0.02f}, 1 - smooth_step(0.58, 0.68, r));
-  double glint = std::hypot(along - middle + 0.12 * look.eye, up - raised - 0.14 * look.eye) / look.eye;
-  return mix(color, {1, 1, 1}, 0.9 * (1 - smooth_step(0.06, 0.11, glint)));
-}
-
-/// 1 on the body, 0 on the fins. The body ends in the tail as a rounded wedge.
-double flesh_share(const FishForm& form, double along, double up) {
-  constexpr double kMiddle = 0.03, kRound = 0.05;   // how far it reaches into the tail; less at the edges
-  constexpr double kBefore = 0.02, kAfter = 0.012;  // about its end, of which it fades
-  double half = fish_depth(form, std::min(along / kFishBody, 1.0));
-  if (std::abs(up) >= half + 0.004) return 0;
-  double end = kFishBody + kMiddle - kRound * std::pow(up / half, 2);
-  return 1 - smooth_step(end - kBefore, end + kAfter, along);
-}
-
-FishSkin fish_skin(const FishForm& form, const FishLook& look, double along, double up) {
-  double flesh = flesh_share(form, along, up);
-  if (flesh <= 0) return fin_skin(form, look, along, up);
-  Color body = eye_over(form, look, body_color(form, look, along, up), along, up);
-  if (flesh >= 1) return {body, 1};
-  FishSkin fin = fin_skin(form, look, along, up);
-  return {mix(fin.color, body, flesh), std::lerp(fin.opacity, 1.0, flesh)};
-}
-
-Raster fish_picture(const FishForm& form, const FishLook& look) {
-  int wide = look.pixels, high = static_cast<int>(std::lround(kSpan * look.pixels));
-  Raster picture(wide, high, look.clear > 0 ? 4 : 3);
-  for (int y = 0; y < high; ++y)
-    for (int x = 0; x < wide; ++x) {
-      double along = (x + 0.5) / wide, up = kSpan * (0.5 - (y + 0.5) / high);
-      FishSkin skin = fish_skin(form, look, along, up);
-      std::uint8_t* pixel = &picture.data[picture.index(x, y)];
-      pixel[0] = to_byte(skin.color.red), pixel[1] = to_byte(skin.color.green),
-      pixel[2] = to_byte(skin.color.blue);
-      if (picture.channels == 4) pixel[3] = to_byte(static_cast<float>(skin.opacity));
-    }
-  return picture;
-}
 
 }  // namespace
 
@@ -201,6 +31,8 @@ void describe(Properties& v, FishForm& f) {
   v.number("width", f.width, {.min = 0.05, .max = 1.2}, "Width of the body, as a share of its depth");
   v.number("deepest", f.deepest, {.min = 0.15, .max = 0.7},
            "Where the body is deepest, as a share of it from the nose");
+  v.number("arch", f.arch, {.min = -0.6, .max = 0.6},
+           "By how much the back is more arched than the belly, as a share of half the depth");
   v.number("snout", f.snout, {.min = 0, .max = 1.5}, "How far the head is drawn out: 0 blunt, 1 a beak");
   v.number("peduncle", f.peduncle, {.min = 0.05, .max = 0.8},
            "Depth of the body before the tail, as a share of the greatest depth");
@@ -284,11 +116,16 @@ double fish_depth(const FishForm& form, double at) {
   return 0.5 * form.depth * shape;
 }
 
+double fish_height(const FishForm& form, double at, double side) {
+  return (1 + side * form.arch) * fish_depth(form, at);
+}
+
 Vec2 fish_eye(const FishForm& form) {
   constexpr double kBlunt = 0.105, kBeak = 0.04;  // where it is behind a blunt snout, and more behind a beak
   constexpr double kRaised = 0.32;                // by half of the depth there
   double along = kBlunt + kBeak * form.snout;
-  return {static_cast<float>(along), static_cast<float>(kRaised * fish_depth(form, along / kFishBody))};
+  return {static_cast<float>(along),
+          static_cast<float>((kRaised + form.arch) * fish_depth(form, along / kFishBody))};
 }
 
 double dorsal_height(const FishForm& form, double at) {
@@ -313,17 +150,12 @@ double anal_height(const FishForm& form, double at) {
 
 Vec2 fish_uv(double along, double up) {
   return {static_cast<float>(std::clamp(along, 0.002, 0.998)),
-          static_cast<float>(std::clamp(0.5 + up / kSpan, 0.002, 0.998))};
+          static_cast<float>(std::clamp(0.5 + up / kFishSpan, 0.002, 0.998))};
 }
 
-std::string fish_picture_name(const FishForm& form, const FishLook& look) {
-  return fmt::format("fish_{}.png", made_id(keys_of(form, look).all()));
-}
-
-Drawing fish_drawing(const FishForm& form, const FishLook& look) {
-  constexpr double kSecondsAPixel = 4e-7;
-  return drawing_of(fish_picture_name(form, look), kSpan * look.pixels * look.pixels, kSecondsAPixel,
-                    [form, look] { return fish_picture(form, look); });
+Vec2 side_fin_uv(double across, double along) {
+  return {static_cast<float>(kSideFin.left + kSideFin.wide * across),
+          static_cast<float>(kSideFin.low + kSideFin.high * along)};
 }
 
 }  // namespace frond

@@ -12,8 +12,9 @@ enum class FishPattern { plain, bars, lines, spots, net };
 /// Outline of a fish from the side. Lengths as shares of the whole length, from the nose to the end of the
 /// tail.
 struct FishForm {
-  double depth = 0.36;     ///< of the body, from belly to back, without fins
-  double width = 0.38;     ///< of the body, as a share of its depth
+  double depth = 0.36;  ///< of the body, from belly to back, without fins
+  double arch = 0.12;   ///< by how much the back is more arched than the belly, as a share of half the depth
+  double width = 0.38;  ///< of the body, as a share of its depth
   double deepest = 0.36;   ///< position of the greatest depth, as a share of the body from the nose
   double snout = 0.3;      ///< 0 blunt .. 1 a long beak
   double peduncle = 0.26;  ///< depth of the body before the tail, as a share of the greatest depth
@@ -36,6 +37,9 @@ inline constexpr double kFishBody = 0.8;
 
 /// Half the depth of the body as a share of the length, at a position 0..1 from the nose.
 double fish_depth(const FishForm& form, double at);
+
+/// How far the body reaches above the line from nose to tail, `side` 1, or below it, -1.
+double fish_height(const FishForm& form, double at, double side);
 
 /// How far a fin reaches beyond the body there; 0 where there is no fin.
 double dorsal_height(const FishForm& form, double at);
@@ -75,22 +79,33 @@ struct FishLook {
   Color iris{0.85f, 0.80f, 0.55f};
   double eye = 0.055;   ///< its width, as a share of the length
   double scales = 0.5;  ///< strength of the scales
-  double gloss = 0.5;   ///< 0 matt .. 1 wet and polished
+  double gloss = 0.16;  ///< 0 matt .. 1 wet and polished
   double clear = 0.35;  ///< how much is seen through the skin of the fins: 0 nothing .. 1 all
-  int pixels = 384;     ///< of the picture, along the fish
+  int pixels = 512;     ///< of the picture, along the fish
 };
 
 void describe(Properties& v, FishLook& l);
 
-/// Texture coordinates of a point on the side of a fish: `along` from the nose 0 to the tail 1, `up` from its
-/// middle. The lower part of the picture holds the fins at the sides.
-Vec2 fish_uv(double along, double up);
+/// Height of the picture of a fish, in its lengths, and the corner of it that holds a fin at the sides, in
+/// texture coordinates.
+inline constexpr double kFishSpan = 1.1;
+inline constexpr struct { double left, low, wide, high; } kSideFin{0.008, 0.86, 0.12, 0.13};
 
-/// The middle of the eye: share of the length from the nose, and above the middle line.
+/// Texture coordinates of a point on the side of a fish: `along` from the nose 0 to the tail 1, `up` from the
+/// line between them.
+Vec2 fish_uv(double along, double up);
+/// Those of a fin of a pair at the sides, in the corner above the head: across its rays and along them, 0..1.
+Vec2 side_fin_uv(double across, double along);
+
+/// The middle of the eye: share of the length from the nose, and above the line to the tail.
 Vec2 fish_eye(const FishForm& form);
 
 /// The picture of a fish from the side, and its name. Its fins let light through between their rays.
 Drawing fish_drawing(const FishForm& form, const FishLook& look);
 std::string fish_picture_name(const FishForm& form, const FishLook& look);
+
+/// Its heights, the same for all colours: scales, gill cover, lips, rays of the fins.
+Drawing fish_relief(const FishForm& form, const FishLook& look);
+std::string fish_relief_name(const FishForm& form, const FishLook& look);
 
 }  // namespace frond

@@ -115,6 +115,7 @@ struct SurfelSampler {
     std::vector<Part> parts;
     for (const Prototype& prototype : prototypes) {
       Part part;
+      part.shape = &prototype;
       std::vector<std::array<Vec3, 3>> triangles;
       for (const OrganPart& p : prototype.parts) {
         for (const auto& t : p.surface.triangle) {
@@ -130,7 +131,7 @@ struct SurfelSampler {
         part.middle /= part.area;
         float apart = std::min(1.0f, apart_area(triangles) / part.area);
         for (auto& bit : part.bits) bit.second *= apart;
-        part.area *= apart;
+        part.area *= apart, part.apart = apart;
       }
       parts.push_back(std::move(part));
     }
@@ -149,6 +150,8 @@ struct SurfelSampler {
  private:
   /// An organ of one unit: bits, each with the area of all up to and with it.
   struct Part {
+    const Prototype* shape = nullptr;
+    float apart = 1;  ///< share of its triangles' area that counts
     std::vector<std::pair<Vec3, float>> bits;
     Vec3 middle{0};
     float area = 0;
@@ -161,9 +164,22 @@ struct SurfelSampler {
       sink.add(place.at + place.turn * (place.scale * part.middle), area * part.area, albedo, kAllFacings, 0);
       return;
     }
+    constexpr std::size_t kCoarse = 4;  // bits that a triangle should be, from which it is more than one
+    auto wanted = static_cast<std::size_t>(std::min(area * part.area / (step * step), 1e6f)) + 1;
+    if (wanted > kCoarse * part.bits.size()) {  // as of a fish that is near
+      for (const OrganPart& p : part.shape->parts)
+        for (const auto& t : p.surface.triangle) {
+          std::array<Vec3, 3> corner;
+          for (std::size_t c = 0; c < 3; ++c)
+            corner[c] = place.at + place.turn * (place.scale * p.surface.position[t[c]]);
+          each_bit(corner, step, [&](Vec3 where, float bit_area, Facing) {
+            sink.add(where, part.apart * bit_area, albedo, kAllFacings, 0);
+          });
+        }
+      return;
+    }
     // One bit of a run stands for all of it.
     float before = 0;
-    auto wanted = static_cast<std::size_t>(std::min(area * part.area / (step * step), 1e6f)) + 1;
     std::size_t each = std::max<std::size_t>(part.bits.size() / wanted, 1);
     for (std::size_t k = 0; k < part.bits.size(); k += each) {
       std::size_t last = std::min(k + each, part.bits.size()) - 1;

@@ -7,8 +7,9 @@ namespace frond {
 
 namespace {
 
-constexpr int kRings = 26, kRound = 14;  // of the body
-constexpr int kFinSteps = 12;            // along a fin
+constexpr int kRings = 32, kRound = 18;  // of the body
+constexpr int kFinSteps = 16;            // along a fin
+constexpr int kSpines = 11;              // of a fin with spines
 constexpr double kTailOverlap = 0.03;    // of the tail's root in the body
 constexpr double kRoundness = 0.92;      // power of the height: 1 makes the rings ellipses
 
@@ -27,10 +28,11 @@ void add_body(Surface& mesh, const FishForm& form) {
   auto first = static_cast<std::uint32_t>(mesh.position.size());
   for (int i = 0; i <= kRings; ++i) {
     double t = static_cast<double>(i) / kRings, s = t * t * (1.6 - 0.6 * t);  // closer at the nose
-    double along = kFishBody * s, half = fish_depth(form, s), thick = fish_thickness(form, s);
+    double along = kFishBody * s, thick = fish_thickness(form, s);
     for (int k = 0; k < kRound; ++k) {
       double turn = 2 * kPi * k / kRound, c = std::cos(turn), z = std::sin(turn);
-      double up = half * (z < 0 ? -1 : 1) * std::pow(std::abs(z), kRoundness), out = thick * c;
+      double side = z < 0 ? -1 : 1, out = thick * c,
+             up = side * fish_height(form, s, side) * std::pow(std::abs(z), kRoundness);
       mesh.position.push_back(swimmer_place(along, up, out));
       mesh.uv.push_back(fish_uv(along, up));
     }
@@ -56,7 +58,8 @@ void add_eyes(Surface& mesh, const FishForm& form, double width) {
     };
     auto at = [&](double t, double r) {
       auto [along, up] = flat(t, r);
-      double s = std::max(0.0, along / kFishBody), half = std::max(fish_depth(form, s), 1e-6);
+      double s = std::max(0.0, along / kFishBody),
+             half = std::max(fish_height(form, s, up < 0 ? -1 : 1), 1e-6);
       double z = std::pow(std::min(1.0, std::abs(up) / half), 1 / kRoundness);
       double skin = fish_thickness(form, s) * std::sqrt(1 - z * z);
       return swimmer_place(along, up, side * (kSunk * skin + kStandsOut * width * (1 - r * r)));
@@ -101,7 +104,7 @@ void add_side_fin(Surface& mesh, const FishForm& form, const SideFin& fin, doubl
   constexpr double kBehindGills = 0.27;             // as a share of the body
   constexpr double kRootFan = 0.5, kFansOut = 0.9;  // radians between its edges, and how many more at its rim
   constexpr double kEdgesShorter = 0.35;            // than its middle, as a share of it
-  double gill = fish_depth(form, kBehindGills), wide = gill * form.width;
+  double gill = fish_height(form, kBehindGills, -1), wide = fish_depth(form, kBehindGills) * form.width;
   double up = fin.up * gill, out = fin.out * wide, length = fin.length * form.pectoral;
   auto at = [=](double t, double r) {
     double fan = (t - 0.5) * (kRootFan + kFansOut * r),
@@ -109,8 +112,7 @@ void add_side_fin(Surface& mesh, const FishForm& form, const SideFin& fin, doubl
     return swimmer_place(fin.along + l * std::cos(fan + fin.down), up - l * std::sin(fan + fin.down),
                          side * (out + fin.spread * form.spread * l));
   };
-  // Its colours are those of fins, from a place above the back.
-  add_sheet(mesh, 5, 2, at, [&](double t, double r) { return fish_uv(0.35 + 0.1 * t, 0.5 + 0.03 * r); });
+  add_sheet(mesh, 8, 3, at, [](double t, double r) { return side_fin_uv(t, r); });
 }
 
 /// Those of a shark are stiff wings: swept back, tapered, held out and a little down; the hind ones small.
@@ -120,7 +122,7 @@ void add_wing(Surface& mesh, const FishForm& form, bool hind, double side) {
   constexpr double kSweep = 0.55, kDown = 0.45;     // of the span; radians below level
   constexpr double kHind = 0.42;                    // of the fore ones' span
   const double from = hind ? kHindRoot : kRoot, span = (hind ? kHind : 1) * form.pectoral;
-  const double half = fish_depth(form, from / kFishBody), down = kDown * form.spread;
+  const double half = fish_height(form, from / kFishBody, -1), down = kDown * form.spread;
   auto at = [=](double t, double r) {
     // Its hind edge is hollow, its tip round.
     double chord = kChord * span * (1 - kTaper * std::pow(r, 0.8)) * std::sqrt(1 - 0.98 * std::pow(r, 8));
@@ -128,7 +130,13 @@ void add_wing(Surface& mesh, const FishForm& form, bool hind, double side) {
                          -0.55 * half - span * r * std::sin(down),
                          side * (0.55 * half * form.width + span * r * std::cos(down)));
   };
-  add_sheet(mesh, 5, 6, at, [&](double t, double r) { return fish_uv(0.35 + 0.1 * t, 0.5 + 0.03 * r); });
+  add_sheet(mesh, 5, 6, at, [](double t, double r) { return side_fin_uv(t, r); });
+}
+
+/// By how much less high a fin with spines is between two of them, at a share of its length.
+double notch(double t) {
+  constexpr double kDepth = 0.17, kFrom = 0.6, kTo = 0.68;  // where its soft part begins
+  return kDepth * (0.5 - 0.5 * std::cos(2 * kPi * kSpines * t)) * (1 - smooth_step(kFrom, kTo, t));
 }
 
 void add_fins(Surface& mesh, const FishForm& form) {
@@ -143,14 +151,16 @@ void add_fins(Surface& mesh, const FishForm& form) {
     return std::pair(begin + reach, up);
   };
   auto tall = [&](double sign, double from, double to, double (*height)(const FishForm&, double)) {
+    const bool notched = sign > 0 && form.dorsal_shape == DorsalShape::spiny;
     auto at = [=, &form](double t, double r) {
-      double along = from + (to - from) * t, half = fish_depth(form, along / kFishBody);
-      double lean = kTrails * r * smooth_step(0.3, 1.0, t) + form.sweep * height(form, along) * r * r;
+      double along = from + (to - from) * t, half = fish_height(form, along / kFishBody, sign);
+      double high = height(form, along) * (1 - (notched ? notch(t) : 0));
+      double lean = kTrails * r * smooth_step(0.3, 1.0, t) + form.sweep * high * r * r;
       // Its root is within the body.
-      return std::pair(along + lean, sign * (0.93 * half + (0.07 * half + height(form, along)) * r));
+      return std::pair(along + lean, sign * (0.93 * half + (0.07 * half + high) * r));
     };
     add_sheet(
-        mesh, kFinSteps, 2,
+        mesh, notched ? 4 * kSpines : kFinSteps, 2,
         [&](double t, double r) { return swimmer_place(at(t, r).first, at(t, r).second, 0); },
         [&](double t, double r) { return fish_uv(at(t, r).first, at(t, r).second); });
   };

@@ -96,7 +96,7 @@ class School final : public Described<SchoolParams, BedGrower> {
     return {};
   }
   Result<SizeEstimate> estimate_size(Seed) const override {
-    constexpr double kTriangles[] = {900, 6000, 3200, 9800};  // of the animals, about
+    constexpr double kTriangles[] = {1700, 6000, 3200, 9800};  // of the animals, about
     double triangles = kTriangles[static_cast<std::size_t>(params.fish.animal)];
     return SizeEstimate{.organs = 1, .parts = 1, .shapes = kShapes * triangles};
   }
@@ -105,6 +105,8 @@ class School final : public Described<SchoolParams, BedGrower> {
     appearance.look.branches = {.bark = Bark{}};  // none is seen: fish are organs
     for (const FishLook& look : looks_of(params.fish))
       appearance.look.pictures.push_back(swimmer_drawing(params.fish.animal, params.fish.form, look));
+    if (params.fish.animal == SeaAnimal::fish)
+      appearance.look.pictures.push_back(fish_relief(params.fish.form, params.fish.look));
     return appearance;
   }
   Result<Specimen> grow_bed(const Bed& bed, const World& world) const override {

@@ -8,7 +8,8 @@ namespace frond {
 
 namespace {
 
-constexpr int kLooks = 5;  // of animals that vary
+constexpr int kLooks = 5;        // of animals that vary
+constexpr double kRelief = 1.2;  // of the skin of fish
 
 Surface shape_of(const FishParams& fish, int shape) {
   double phase = static_cast<double>(shape) / kShapes;
@@ -54,9 +55,10 @@ std::vector<Prototype> swimmer_prototypes(const FishParams& fish) {
   for (int shape = 0; shape < kShapes; ++shape) {
     Prototype made{std::string(name_of(fish.animal)), {}, colors, fish.look.back};
     made.parts.push_back({Tissue::leaf, shape_of(fish, shape), pictures});
+    if (fish.animal == SeaAnimal::fish) made.parts[0].relief = fish_relief_name(fish.form, fish.look);
     made.luster = {.through = fish.animal == SeaAnimal::jellyfish ? 0.55 : 0.12,
                    .gloss = 0.9 * fish.look.gloss,
-                   .relief = 0.3 * fish.look.scales};
+                   .relief = fish.animal == SeaAnimal::fish ? kRelief : 0.3 * fish.look.scales};
     list.push_back(std::move(made));
   }
   return list;
