@@ -75,10 +75,9 @@ TEST(SurfelSampler, TrianglesThatAreMuchLargerThanAStepAreCoveredWithoutHoles) {
   sample_surfels(Places{0.02f, places}, DrawList(leaf, leaf.model));
   for (int x = 0; x < 10; ++x)
     for (int z = 0; z < 10; ++z)
-      EXPECT_TRUE(std::ranges::any_of(places, [&](Vec3 p) {
-        return static_cast<int>(10 * p.x) == x && static_cast<int>(10 * p.z) == z;
-      })) << x
-          << ' ' << z;
+      EXPECT_TRUE(std::ranges::any_of(
+          places, [&](Vec3 p) { return static_cast<int>(10 * p.x) == x && static_cast<int>(10 * p.z) == z; }))
+          << x << ' ' << z;
 }
 
 TEST(SurfelSampler, ASinkGetsNoMoreBitsOfALeafThanItsStepAsksFor) {

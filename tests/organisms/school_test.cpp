@@ -232,7 +232,8 @@ TEST(School, AFinWithSpinesIsNotchedBetweenThem) {
   auto peaks = [&] {  // of the outline of its back
     std::vector<float> top(60, -1);
     for (Vec3 p : fish_surface(form, 0, 0, 0).position)
-      if (auto k = static_cast<std::size_t>(60 * (0.5f - p.y)); k > 14 && k < 40) top[k] = std::max(top[k], p.z);
+      if (auto k = static_cast<std::size_t>(60 * (0.5f - p.y)); k > 14 && k < 40)
+        top[k] = std::max(top[k], p.z);
     int count = 0;
     for (std::size_t k = 16; k < 39; ++k) count += top[k] > top[k - 1] && top[k] > top[k + 1];
     return count;
