@@ -79,8 +79,8 @@ double slit_at(const FishForm& form, double along, double up) {
 /// A wave over the rays of fins, -1 between two .. 1 on one: along the tail, from a place before it, up and
 /// back on the other fins. Those of sharks are hidden.
 double ray_at(const FishLook& look, double along, double up) {
-  constexpr double kFanFrom = 0.25, kFanRays = 46;  // how far before the tail, and how many by rise over run
-  constexpr double kRays = 95, kBack = 0.35;        // on a length of fish; run by rise
+  constexpr double kFanFrom = 0.25, kFanRays = 27;  // how far before the tail, and how many by rise over run
+  constexpr double kRays = 54, kBack = 0.35;        // on a length of fish; run by rise
   double across = along > kFishBody ? up / (kFanFrom + along - kFishBody) * kFanRays
                                     : (along - kBack * std::abs(up)) * kRays;
   return std::min(1.0, 4 * look.scales) * std::sin(2 * kPi * across);
@@ -88,7 +88,7 @@ double ray_at(const FishLook& look, double along, double up) {
 
 /// The same on a fin at the sides.
 double side_ray_at(const FishLook& look, double across) {
-  constexpr double kRays = 13;
+  constexpr double kRays = 9;
   return std::min(1.0, 4 * look.scales) * std::sin(2 * kPi * kRays * across);
 }
 
@@ -171,6 +171,14 @@ Color body_color(const FishForm& form, const FishLook& look, double along, doubl
   return shaded(color, 1 - kSlitDark * slit_at(form, along, up));
 }
 
+/// A colour as a fish wears it: pigments are less pure than paint.
+Color worn(const Color& color) {
+  constexpr float kGrey = 0.14f, kBright = 0.86f;
+  float grey = (color.red + color.green + color.blue) / 3;
+  return {kBright * std::lerp(color.red, grey, kGrey), kBright * std::lerp(color.green, grey, kGrey),
+          kBright * std::lerp(color.blue, grey, kGrey)};
+}
+
 /// The skin at a place, and how much of what lies behind it is hidden.
 struct FishSkin {
   Color color;
@@ -180,7 +188,7 @@ struct FishSkin {
 /// A fin's skin of a colour: flesh at its root, thinner to its rim and clearest between its rays. `out` from
 /// its root, in lengths of the fish.
 FishSkin ray_skin(const FishLook& look, const Color& color, double ray, double out, double lets_through) {
-  constexpr double kMean = 0.93, kRelief = 0.13;  // of the shade of rays
+  constexpr double kMean = 0.90, kRelief = 0.20;  // of the shade of rays
   constexpr double kFlesh = 0.02, kThin = 0.10;
   constexpr double kRayHides = 0.6;  // of what the skin lets through
   double shown = std::min(1.0, 4 * look.scales);
@@ -196,11 +204,14 @@ FishSkin fin_skin(const FishForm& form, const FishLook& look, double along, doub
     color = marked(look, color, along, up, up > 0 ? 1 : 0, 0);
   if (look.marked_fins)
     color = patched(look, color, along, share_of_depth(form, along, up, 0.1 * form.depth));
-  constexpr double kTail = 0.5;  // share of what other fins let through
-  bool tail = along > kFishBody;
-  double out =
-      tail ? along - kFishBody : std::abs(up) - fish_height(form, along / kFishBody, up > 0 ? 1 : -1);
-  return ray_skin(look, color, ray_at(look, along, up), out, tail ? kTail : 1);
+  constexpr double kTail = 0.5;                   // share of what other fins let through
+  constexpr double kRimFrom = 0.7, kRimTo = 0.9;  // of a fin's height
+  if (along > kFishBody) return ray_skin(look, color, ray_at(look, along, up), along - kFishBody, kTail);
+  double out = std::abs(up) - fish_height(form, along / kFishBody, up > 0 ? 1 : -1);
+  double high = up > 0 ? dorsal_height(form, along) : anal_height(form, along);
+  if (look.marked_fins && look.edging > 0 && high > 0)
+    color = mix(color, look.edge, smooth_step(kRimFrom, kRimTo, out / high));
+  return ray_skin(look, color, ray_at(look, along, up), out, 1);
 }
 
 FishSkin side_fin_skin(const FishLook& look, double across, double along) {
@@ -286,8 +297,8 @@ Raster fish_picture(const FishForm& form, const FishLook& look) {
   int channels = look.clear > 0 ? 4 : 3;
   return painted(look.pixels, channels, [&](std::uint8_t* pixel, double along, double up, bool side_fin) {
     FishSkin skin = side_fin ? side_fin_skin(look, along, up) : fish_skin(form, look, along, up);
-    pixel[0] = to_byte(skin.color.red), pixel[1] = to_byte(skin.color.green),
-    pixel[2] = to_byte(skin.color.blue);
+    Color color = worn(skin.color);
+    pixel[0] = to_byte(color.red), pixel[1] = to_byte(color.green), pixel[2] = to_byte(color.blue);
     if (channels == 4) pixel[3] = to_byte(static_cast<float>(skin.opacity));
   });
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "appearance/paint.h"
 #include "core/content.h"
@@ -231,6 +232,21 @@ FishLook varied(const FishLook& look, double variation, Seed seed) {
   };
   for (Color* color : {&other.back, &other.flank, &other.belly, &other.fins, &other.tail})
     change(color->red, 0), change(color->green, 1), change(color->blue, 2);
+  // No two wear quite the same marks.
+  constexpr double kWidth = 1.2, kShift = 0.12, kTurn = 0.25;  // of the variation of colours
+  auto some = [&](std::string_view what, double most) {
+    return most * variation * seed.child(what).range(-1, 1);
+  };
+  other.mark_width *= 1 + some("width", kWidth);
+  other.mark_from += some("from", kShift), other.mark_to += some("to", kShift);
+  other.mark_slant += some("slant", kTurn), other.mark_bow += some("bow", kTurn);
+  for (FishPatch& patch : other.patches) {
+    std::uint64_t which = static_cast<std::uint64_t>(&patch - other.patches.data());
+    auto by = [&](std::string_view what) {
+      return static_cast<float>(kWidth * variation * seed.child(what, which).range(-1, 1));
+    };
+    patch.size *= Vec2(1 + by("wide"), 1 + by("high"));
+  }
   return other;
 }
 
