@@ -229,13 +229,18 @@ TEST(School, BackAndBellyAreArchedApartAtTheSameDepth) {
 TEST(School, AFinWithSpinesIsNotchedBetweenThem) {
   FishForm form;
   form.dorsal = 0.2;
-  auto peaks = [&] {  // of the outline of its back
-    std::vector<float> top(60, -1);
-    for (Vec3 p : fish_surface(form, 0, 0, 0).position)
-      if (auto k = static_cast<std::size_t>(60 * (0.5f - p.y)); k > 14 && k < 40)
-        top[k] = std::max(top[k], p.z);
+  auto peaks = [&] {
+    std::vector<std::pair<double, double>> rim;  // along the fish, and how high by the fin's height there
+    for (Vec3 p : fish_surface(form, 0, 0, 0).position) {
+      double along = 0.5 - static_cast<double>(p.y), fin = dorsal_height(form, along);
+      double share =
+          (static_cast<double>(p.z) - fish_height(form, along / kFishBody, 1)) / std::max(fin, 1e-6);
+      if (along > 0.3 && along < 0.58 && share > 0.7) rim.emplace_back(along, share);
+    }
+    std::ranges::sort(rim);
     int count = 0;
-    for (std::size_t k = 16; k < 39; ++k) count += top[k] > top[k - 1] && top[k] > top[k + 1];
+    for (std::size_t k = 1; k + 1 < rim.size(); ++k)
+      count += rim[k].second > rim[k - 1].second && rim[k].second > rim[k + 1].second;
     return count;
   };
   EXPECT_GE(peaks(), 5);

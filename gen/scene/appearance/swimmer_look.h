@@ -27,8 +27,8 @@ inline constexpr double kShellFrom = 0.2, kShellTo = 0.97;
 Drawing swimmer_drawing(SeaAnimal animal, const FishForm& form, const FishLook& look);
 std::string swimmer_picture_name(SeaAnimal animal, const FishForm& form, const FishLook& look);
 
-/// The same in other colours, each of red, green and blue changed by up to `variation` of itself, and with marks
-/// of other widths a little elsewhere.
+/// The same in other colours, each of red, green and blue changed by up to `variation` of itself, and with
+/// marks of other widths a little elsewhere.
 FishLook varied(const FishLook& look, double variation, Seed seed);
 
 }  // namespace frond
