@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <map>
 #include <new>
+#include <tuple>
 
 #include "passes/frame_passes.h"
 #include "passes/mesh_group.h"
@@ -98,6 +100,23 @@ TEST(TracedFrame, RaysThroughTheLensMeetWhereItIsInFocus) {
   EXPECT_LE(widest, frame.lens / 2);
   EXPECT_GT(widest, 0.45f * frame.lens);
   EXPECT_LT(frame.blur(focus), 1e-5f);
+}
+
+TEST(TracedFrame, FacetsFaceTheLightAsTheyAreShadedNotAsTheyLie) {
+  Scene scene = scene_at("tests/presets/tiny_reef.json");
+  TracedFilm film = taken(TracedFilm::of(scene));
+  TracedFrame frame = taken(film.at(0));
+  std::map<std::tuple<Thing, std::uint32_t, std::uint32_t>, std::pair<float, float>>
+      facets;  // least and most
+  each_hit(frame, [&](const PassHit& hit, Vec2) {
+    EXPECT_LE(std::abs(hit.spot.facing), 1.0001f);
+    if (hit.spot.thing.kind == ThingKind::branches) return;
+    auto& [least, most] =
+        facets.try_emplace({hit.spot.thing, hit.spot.part, hit.spot.face}, 2.0f, -2.0f).first->second;
+    least = std::min(least, hit.spot.facing), most = std::max(most, hit.spot.facing);
+  });
+  EXPECT_TRUE(std::ranges::any_of(
+      facets, [](const auto& one) { return one.second.second - one.second.first > 0.01f; }));
 }
 
 TEST(TracedFilm, KnowsGrassAndWater) {

@@ -30,7 +30,7 @@ class Painted {
   Vec3 color(const std::optional<PassHit>& hit, const TracedFrame& frame) const {
     if (!hit) return {0, 0, 1};
     float shade = hit->spot.thing.kind == ThingKind::branches ? 0.8f : 0.2f;
-    if (matt_) return Vec3(frame.lit(*hit) ? 0.1f + frame.facing(hit->at, hit->normal) : 0.1f);
+    if (matt_) return Vec3(frame.lit(*hit) ? 0.1f + hit->spot.facing : 0.1f);
     return Vec3(shade, frame.lit(*hit) ? 1 : 0.5f, 0);
   }
 

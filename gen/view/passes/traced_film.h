@@ -59,6 +59,8 @@ struct SurfaceSpot {
   /// radius in the axes of the node.
   Vec3 own{0}, own_normal{0};
   float along = 0;  ///< of a branch: 0 at the lower node of the segment .. 1 at the upper one
+  /// Cosine of the angle between the way to the main light and the normal that it is shaded by.
+  float facing = 0;
 };
 
 /// What a ray meets.
@@ -90,9 +92,6 @@ class TracedFrame {
   std::optional<PassHit> trace(Vec3 from, Vec3 direction) const;
   /// Whether nothing stands between a hit and the main light's middle, and it faces that.
   bool lit(const PassHit& hit) const;
-  /// Cosine of the angle between a normal and the way to the main light's middle; below 0 where it faces
-  /// away.
-  float facing(Vec3 at, Vec3 normal) const;
   /// Whether a ray from a place in the air, in a direction of length 1, meets nothing.
   bool open(Vec3 from, Vec3 direction) const;
   /// Where a spot, of whatever time, is now; none where its thing, or that part of it, is not there.

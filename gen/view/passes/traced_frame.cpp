@@ -20,6 +20,14 @@ RTCRay ray_of(Vec3 from, Vec3 along, float least, float most) {
   return ray;
 }
 
+/// The normal that a place on a triangle is shaded by, of any length.
+Vec3 shading_normal(const Surface& surface, std::uint32_t face, Vec2 share, Vec3 flat) {
+  if (surface.normal.size() != surface.position.size()) return flat;
+  const auto& t = surface.triangle[face];
+  return (1 - share.x - share.y) * surface.normal[t[0]] + share.x * surface.normal[t[1]] +
+         share.y * surface.normal[t[2]];
+}
+
 /// The normal is as long as twice the triangle's area.
 PlaceNormal on_triangle(const Surface& surface, std::uint32_t face, Vec2 share) {
   const auto& t = surface.triangle[face];
@@ -27,12 +35,13 @@ PlaceNormal on_triangle(const Surface& surface, std::uint32_t face, Vec2 share) 
   return {a + share.x * (b - a) + share.y * (c - a), glm::cross(b - a, c - a)};
 }
 
-PassHit hit_on(const Placed& one, const RTCRayHit& ray) {
+/// What a ray meets, and the normal that it is shaded by.
+std::pair<PassHit, Vec3> hit_on(const Placed& one, const RTCRayHit& ray) {
   PassHit hit;
   hit.away = ray.ray.tfar;
   Vec3 from(ray.ray.org_x, ray.ray.org_y, ray.ray.org_z), along(ray.ray.dir_x, ray.ray.dir_y, ray.ray.dir_z);
   hit.at = from + hit.away * along;
-  Vec3 normal(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z);
+  Vec3 normal(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z), shaded = normal;
   if (one.branches) {
     hit.spot = one.branches->spot(ray.hit.primID, ray.hit.u, hit.at);
   } else {
@@ -41,13 +50,16 @@ PassHit hit_on(const Placed& one, const RTCRayHit& ray) {
     hit.spot.face = ray.hit.primID;
     PlaceNormal own = on_triangle(mesh, ray.hit.primID, {ray.hit.u, ray.hit.v});
     hit.at = one.axes * own.at + one.at;
-    normal = glm::inverse(glm::transpose(one.axes)) * own.normal;
+    const glm::mat3 turn = glm::inverse(glm::transpose(one.axes));
+    normal = turn * own.normal;
+    shaded = turn * shading_normal(mesh, ray.hit.primID, {ray.hit.u, ray.hit.v}, own.normal);
     hit.spot.own = one.changes ? Vec3(ray.hit.u, ray.hit.v, 0) : own.at;
   }
   hit.spot.thing = one.thing;
   float length = glm::length(normal);
   hit.normal = length > 0 ? normal / length : -along;
-  return hit;
+  float shaded_length = glm::length(shaded);
+  return {hit, shaded_length > 0 ? shaded / shaded_length : hit.normal};
 }
 
 }  // namespace
@@ -105,8 +117,10 @@ std::optional<PassHit> TracedFrame::trace(Vec3 from, Vec3 direction) const {
   if (!moves) ray.hit = unmoved;
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   const Placed& one = (moves ? parts_->moving : *parts_->still).things[ray.hit.instID[0]];
-  PassHit hit = hit_on(one, ray);
+  auto [hit, shaded] = hit_on(one, ray);
   if (glm::dot(hit.normal, direction) > 0) hit.normal = -hit.normal;
+  if (glm::dot(shaded, direction) > 0) shaded = -shaded;
+  hit.spot.facing = glm::dot(shaded, to_light(hit.at).first);
   if (one.branches)
     hit.spot.own_normal = glm::conjugate(one.branches->turn(hit.spot.face)) * hit.normal;
   else if (!one.changes)
@@ -125,12 +139,10 @@ std::pair<Vec3, float> TracedFrame::to_light(Vec3 at) const {
 
 bool TracedFrame::lit(const PassHit& hit) const {
   auto [toward, far] = to_light(hit.at);
-  if (glm::dot(hit.normal, toward) <= 0) return false;
+  if (hit.spot.facing <= 0 || glm::dot(hit.normal, toward) <= 0) return false;
   float clear = kClear * std::max(glm::distance(hit.at, eye.at), 1.0f);
   return parts_->open(ray_of(hit.at + clear * hit.normal, toward, clear, far));
 }
-
-float TracedFrame::facing(Vec3 at, Vec3 normal) const { return glm::dot(normal, to_light(at).first); }
 
 bool TracedFrame::open(Vec3 from, Vec3 direction) const {
   return parts_->open(ray_of(from, direction, 1e-3f, std::numeric_limits<float>::infinity()));

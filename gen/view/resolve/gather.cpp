@@ -58,8 +58,7 @@ void Gatherer::add_ray(Vec2 place, int ray, float spread) {
   }
   ++found->rays;
   found->place += (place - found->place) / static_cast<float>(found->rays);
-  if (lit)
-    found->facing += (now_.facing(hit->at, hit->normal) - found->facing) / static_cast<float>(found->rays);
+  if (lit) found->facing += (hit->spot.facing - found->facing) / static_cast<float>(found->rays);
 }
 
 void Gatherer::find_shown(int x, int y) {

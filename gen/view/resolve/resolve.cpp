@@ -42,7 +42,7 @@ void add_moved(std::vector<RawSample>& samples, const TracedFrame& now, const Su
     sample.at = here->at;
     sample.normal = here->normal;
     if (glm::dot(sample.normal, sample.at - now.eye.at) > 0) sample.normal = -sample.normal;
-    if (lit) sample.facing = now.facing(sample.at, sample.normal);
+    if (lit) sample.facing = spot.facing;
   } else {
     return;
   }
