@@ -220,7 +220,7 @@ sizes of the plant, its leaves, flowers and fruit, the months of both, and where
 plant of each and holds it to them.
 
 [species_cost.csv](species_cost.csv) has what each costs by itself and as a thousand copies, memory, bytes and seconds, as
-`frond info` reckons it on a machine of two slow processors: half of them less than 14 MB a frame and 520 MB of memory by
+`frond info` reckons it on a machine of two slow processors: half of them less than 14 MB a frame and 560 MB of memory by
 themselves, and less than 9 MB and 210 MB as a thousand copies. `bench/species_cost.py` makes it anew.
 """
 
