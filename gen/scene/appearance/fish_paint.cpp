@@ -76,20 +76,23 @@ double slit_at(const FishForm& form, double along, double up) {
   return tall * (1 - smooth_step(0.5 * kHalf, 1.6 * kHalf, nearest));
 }
 
+/// How much of the rays of fins is seen: of sharks, which have no scales, nothing.
+double rays_shown(const FishLook& look) { return std::min(1.0, 4 * look.scales); }
+
 /// A wave over the rays of fins, -1 between two .. 1 on one: along the tail, from a place before it, up and
-/// back on the other fins. Those of sharks are hidden.
+/// back on the other fins.
 double ray_at(const FishLook& look, double along, double up) {
   constexpr double kFanFrom = 0.25, kFanRays = 27;  // how far before the tail, and how many by rise over run
   constexpr double kRays = 54, kBack = 0.35;        // on a length of fish; run by rise
   double across = along > kFishBody ? up / (kFanFrom + along - kFishBody) * kFanRays
                                     : (along - kBack * std::abs(up)) * kRays;
-  return std::min(1.0, 4 * look.scales) * std::sin(2 * kPi * across);
+  return rays_shown(look) * std::sin(2 * kPi * across);
 }
 
 /// The same on a fin at the sides.
 double side_ray_at(const FishLook& look, double across) {
   constexpr double kRays = 9;
-  return std::min(1.0, 4 * look.scales) * std::sin(2 * kPi * kRays * across);
+  return rays_shown(look) * std::sin(2 * kPi * kRays * across);
 }
 
 /// How much of a cell's mark is at a place, 0..1: of a spot, or of the net between them. A fish's length
@@ -191,8 +194,7 @@ FishSkin ray_skin(const FishLook& look, const Color& color, double ray, double o
   constexpr double kMean = 0.90, kRelief = 0.20;  // of the shade of rays
   constexpr double kFlesh = 0.02, kThin = 0.10;
   constexpr double kRayHides = 0.6;  // of what the skin lets through
-  double shown = std::min(1.0, 4 * look.scales);
-  double clear = look.clear * lets_through * shown * smooth_step(kFlesh, kThin, out) *
+  double clear = look.clear * lets_through * rays_shown(look) * smooth_step(kFlesh, kThin, out) *
                  (1 - kRayHides * (0.5 + 0.5 * ray));
   return {shaded(color, kMean + kRelief * ray), 1 - clear};
 }
@@ -215,8 +217,8 @@ FishSkin fin_skin(const FishForm& form, const FishLook& look, double along, doub
 }
 
 FishSkin side_fin_skin(const FishLook& look, double across, double along) {
-  constexpr double kLong = 0.16, kLetsThrough = 1;  // about its length; as other fins
-  return ray_skin(look, look.fins, side_ray_at(look, across), kLong * along, kLetsThrough);
+  constexpr double kLong = 0.16;  // about its length
+  return ray_skin(look, look.fins, side_ray_at(look, across), kLong * along, 1);
 }
 
 Color eye_over(const FishForm& form, const FishLook& look, Color color, double along, double up) {
@@ -251,15 +253,17 @@ FishSkin fish_skin(const FishForm& form, const FishLook& look, double along, dou
   return {mix(fin.color, body, flesh), std::lerp(fin.opacity, 1.0, flesh)};
 }
 
+constexpr double kSkinHeight = 0.4, kRayHeight = 0.07;  // of the skin on average; of rays of fins above it
+
 /// The height of the skin, 0..1: scales lie over each other as shingles, the gill cover stands off, lips
 /// swell.
 double fish_relief_at(const FishForm& form, const FishLook& look, double along, double up) {
-  constexpr double kMean = 0.4, kScale = 0.16, kRay = 0.07, kCover = 0.22, kCoverLong = 0.05, kLip = 0.2,
-                   kLipWide = 0.008, kSlit = 0.3, kGrain = 0.05;
+  constexpr double kScale = 0.16, kCover = 0.22, kCoverLong = 0.05, kLip = 0.2, kLipWide = 0.008, kSlit = 0.3,
+                   kGrain = 0.05;
   double flesh = flesh_share(form, along, up);
-  double fin = kMean + kRay * ray_at(look, along, up);
+  double fin = kSkinHeight + kRayHeight * ray_at(look, along, up);
   if (flesh <= 0) return fin;
-  double body = kMean + kGrain * tiling_fractal(40 * along, 40 * up + 32, 128, 128, 3, 0.6, Seed{19});
+  double body = kSkinHeight + kGrain * tiling_fractal(40 * along, 40 * up + 32, 128, 128, 3, 0.6, Seed{19});
   if (along > kScalesFrom) {
     Scale scale = scale_at(along, up);
     body += kScale * look.scales * (0.5 - scale.x * scale.x - scale.y * scale.y);
@@ -271,13 +275,14 @@ double fish_relief_at(const FishForm& form, const FishLook& look, double along, 
   }
   Mouth mouth = mouth_at(form, along, up);
   double lip = std::abs(mouth.above) / kLipWide;
-  body += kLip * mouth.there * (lip < 2 ? std::sin(kPi * std::min(lip, 2.0) / 2) - (lip < 0.4 ? 0.8 : 0) : 0);
+  body += kLip * mouth.there * (lip < 2 ? std::sin(kPi * lip / 2) - (lip < 0.4 ? 0.8 : 0) : 0);
   body -= kSlit * slit_at(form, along, up);
   return std::lerp(fin, body, flesh);
 }
 
-/// Calls `paint(pixel index, along, up, fin)` for all pixels of a fish's picture; `fin` is where in a fin at
-/// the sides the pixel is, or none.
+/// Calls `paint(pixel, along, up, false)` for all pixels of a fish's picture but those of the corner that
+/// holds a fin at the sides; for these `paint(pixel, across, along, true)`, its places across its rays and
+/// along them.
 template <typename Paint>
 Raster painted(int pixels, int channels, Paint paint) {
   int wide = pixels, high = static_cast<int>(std::lround(kFishSpan * pixels));
@@ -305,7 +310,8 @@ Raster fish_picture(const FishForm& form, const FishLook& look) {
 
 Raster relief_picture(const FishForm& form, const FishLook& look) {
   return painted(look.pixels, 1, [&](std::uint8_t* pixel, double along, double up, bool side_fin) {
-    double height = side_fin ? 0.4 + 0.07 * side_ray_at(look, along) : fish_relief_at(form, look, along, up);
+    double height = side_fin ? kSkinHeight + kRayHeight * side_ray_at(look, along)
+                             : fish_relief_at(form, look, along, up);
     *pixel = to_byte(static_cast<float>(std::clamp(height, 0.0, 1.0)));
   });
 }
