@@ -290,6 +290,17 @@ def main():
         red = [p for p in still if p[0] > p[2] + 40]
         good &= check("the coral stands out from the water and the sand", len(red) > 60, f"{len(red)} pixels")
 
+        # Out of focus a frame is as much blurred by POV-Ray's lens as by the rays that resolving traces through its own.
+        lenses = {}
+        for stop, resolve in [(0.5, "--resolve"), (0.5, "--no-resolve"), (1, "--no-resolve")]:
+            out = folder / f"lens_{stop}{resolve}"
+            subprocess.run([frond, "render", source / "tests/presets/tiny_still.json", "-o", out, "--quality", "good", resolve,
+                            "--set", f"/scene/camera/aperture={stop}", "--set", "/scene/camera/focus=[0, 0.3, 1.2]"],
+                           check=True, capture_output=True)
+            lenses[stop, resolve] = png_of(out / "still.png")
+        same, half = (distance(lenses[0.5, "--resolve"], lenses[stop, "--no-resolve"]) for stop in (0.5, 1))
+        good &= check("both lenses are as wide", same < 0.6 * half, f"{same:.1f}, half as wide {half:.1f}")
+
         # A rock as triangles and as POV-Ray's own isosurface are the same body, but for a share of a pixel round it.
         for field in ("gaussian", "soft", "cubic"):
             sets = [f"/organisms/0/field={field}"]

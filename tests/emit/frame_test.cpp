@@ -66,8 +66,8 @@ TEST(Frame, BlursAsALensOfTheFNumberDoes) {
   scene.setup.camera.aperture = 2;
   scene.setup.camera.focus = Focus{Animated<Vec3>(Vec3(1, 2, 3)), ""};
   std::string text = text_of(scene, 1);
-  EXPECT_EQ(count(text, " aperture 0.25 focal_point<10,20,-30>"), 1u)
-      << "50 mm at f/2: 25 mm, and 10 units a metre";
+  EXPECT_EQ(count(text, " aperture 0.5 focal_point<10,20,-30>"), 1u)
+      << "50 mm at f/2: 25 mm, 10 units a metre, and twice that, since rays start within half of it";
 }
 
 TEST(Frame, ExposuresLieWithinTheTimeOfTheShutter) {

@@ -20,9 +20,11 @@ Scene raw_scene() {
 /// Raw frames painted by what their rays meet: each thing in a grey of its own.
 class Painted {
  public:
-  /// `matt`: what is lit is the brighter the more it faces the light.
-  explicit Painted(const Scene& scene, bool matt = false)
-      : scene_(scene), film_(taken(TracedFilm::of(scene))), matt_(matt) {}
+  enum class Paint { grey, matt, speckled };
+
+  /// `matt`: what is lit is the brighter the more it faces the light; `speckled`: black and white by 2 cm.
+  explicit Painted(const Scene& scene, Paint paint = Paint::grey)
+      : scene_(scene), film_(taken(TracedFilm::of(scene))), paint_(paint) {}
 
   Vec3 seen(const TracedFrame& frame, Vec2 place) const {
     return color(frame.trace(frame.eye.at, picture_ray(frame.eye, place)), frame);
@@ -30,7 +32,11 @@ class Painted {
   Vec3 color(const std::optional<PassHit>& hit, const TracedFrame& frame) const {
     if (!hit) return {0, 0, 1};
     float shade = hit->spot.thing.kind == ThingKind::branches ? 0.8f : 0.2f;
-    if (matt_) return Vec3(frame.lit(*hit) ? 0.1f + hit->spot.facing : 0.1f);
+    if (paint_ == Paint::matt) return Vec3(frame.lit(*hit) ? 0.1f + hit->spot.facing : 0.1f);
+    if (paint_ == Paint::speckled) {
+      glm::ivec3 cell(glm::floor(50.0f * hit->at));
+      return Vec3((cell.x + cell.y + cell.z) % 2 != 0 ? 1.0f : 0.0f);
+    }
     return Vec3(shade, frame.lit(*hit) ? 1 : 0.5f, 0);
   }
 
@@ -75,7 +81,7 @@ class Painted {
  private:
   const Scene& scene_;
   TracedFilm film_;
-  bool matt_;
+  Paint paint_;
 };
 
 double error(const LightPicture& a, const LightPicture& b) {
@@ -106,7 +112,7 @@ TEST(Resolve, IsFarNearerToManySamplesThanItsRawFrames) {
 
 TEST(Resolve, ThinBranchesAreShadedAsManySamplesHaveIt) {
   Scene scene = raw_scene();
-  Painted painted(scene, true);
+  Painted painted(scene, Painted::Paint::matt);
   Resolver resolver(scene, painted.film(), [&](int number) { return painted.raw(number); });
   double made = 0, raw = 0;
   for (int number : {3, 5, 6}) {
@@ -125,10 +131,25 @@ TEST(Resolve, BlursWhatMovesAndWhatIsOutOfFocus) {
       scene.setup.camera.shutter = 1, scene.setup.camera.shutter_samples = 4;
     Painted painted(scene);
     Resolver resolver(scene, painted.film(), [&](int number) { return painted.raw(number); });
-    LightPicture many = painted.exposed(4, 8, lens ? 1 : 4), sharp = painted.picture(4, 8, Vec2(0));
+    LightPicture many = painted.exposed(4, lens ? 24 : 8, lens ? 1 : 4),
+                 sharp = painted.picture(4, 8, Vec2(0));
     EXPECT_GT(error(sharp, many), 0.01) << lens;
     EXPECT_LT(error(*resolver.frame(4), many), 0.7 * error(sharp, many)) << lens;
   }
+}
+
+TEST(Resolve, WhatIsOutOfFocusIsNotGrainy) {
+  Scene scene = raw_scene();
+  scene.setup.camera.aperture = 0.4;
+  scene.setup.camera.focus = Focus{Animated<Vec3>(Vec3(0, 0.6, 1.6)), ""};
+  Painted painted(scene, Painted::Paint::speckled);
+  Resolver resolver(scene, painted.film(), [&](int number) { return painted.raw(number); });
+  auto grain = [&](const LightPicture& picture) {  // from pixel to pixel
+    double sum = 0;
+    for (std::size_t i = 0; i + 1 < picture.size(); ++i) sum += std::abs(picture[i + 1].x - picture[i].x);
+    return sum;
+  };
+  EXPECT_LT(grain(*resolver.frame(4)), 0.5 * grain(painted.exposed(4, 24, 1))) << "and that has 576 rays";
 }
 
 TEST(Resolve, AStillHasFourRawSamplesAPixel) {

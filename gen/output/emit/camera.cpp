@@ -12,11 +12,12 @@ namespace frond {
 
 namespace {
 
-/// A lens before film 36 mm wide, for what is not in focus.
+/// A lens before film 36 mm wide, for what is not in focus. POV-Ray's rays start within a circle half as wide
+/// as its aperture, as measured of a point out of focus.
 void append_lens(std::string& text, const PovSpace& space, const Camera& camera, Quality quality, double time,
                  std::optional<Vec3> focus) {
   text += " aperture ";
-  append(text, lens_width(camera, time) * space.unit, 6);
+  append(text, 2 * lens_width(camera, time) * space.unit, 6);
   text += " focal_point";
   append_point(text, space, focus ? *focus : focus_of(camera, time));
   // Each of a pixel's 5, 5 or 10 samples of anti-aliasing takes so many rays through the lens, and up to the

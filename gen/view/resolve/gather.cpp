@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace frond {
 
@@ -61,6 +62,27 @@ void Gatherer::add_ray(Vec2 place, int ray, float spread) {
   if (lit) found->facing += (hit->spot.facing - found->facing) / static_cast<float>(found->rays);
 }
 
+/// Pixels; what is no surface is as far away as any.
+float Gatherer::blur_of(const Shown& one) const {
+  constexpr float kFar = 1e5f;  // metres
+  Vec3 at = one.surface.kind == ThingKind::nothing ? now_.eye.at + kFar * now_.eye.ahead : one.at;
+  return now_.blur(at) * static_cast<float>(grid_.width());
+}
+
+float Gatherer::blur() const {
+  constexpr float kFew = 0.04f;  // of all rays
+  if (now_.lens == 0) return 0;
+  float rays = 0, least = std::numeric_limits<float>::infinity();
+  for (const Shown& one : shown_) rays += static_cast<float>(one.rays);
+  for (const Shown& one : shown_) {
+    float own = blur_of(one), sharper = 0;
+    for (const Shown& other : shown_)
+      if (blur_of(other) <= own) sharper += static_cast<float>(other.rays);
+    if (sharper > kFew * rays) least = std::min(least, own);
+  }
+  return least;
+}
+
 void Gatherer::find_shown(int x, int y) {
   shown_.clear();
   Vec2 at(x, y);
@@ -70,10 +92,7 @@ void Gatherer::find_shown(int x, int y) {
   };
   add_grid(kFewSide);
   if (shown_.size() > 1) add_grid(options_.side);
-  auto blurred = [&](const Shown& one) {
-    return one.surface.kind == ThingKind::nothing ||
-           now_.blur(one.at) * static_cast<float>(grid_.width()) > 1;
-  };
+  auto blurred = [&](const Shown& one) { return blur_of(one) > 1; };
   if (now_.lens > 0 && std::ranges::any_of(shown_, blurred)) add_grid(2 * options_.side);
 }
 

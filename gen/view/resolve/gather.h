@@ -66,6 +66,9 @@ class Gatherer {
       : grid_(grid), now_(now), options_(options) {}
 
   Vec3 pixel(int x, int y);
+  /// How wide a point is blurred in the pixel made last, pixels: by what is sharpest of it, but for a few of
+  /// its rays. 0 without a lens.
+  float blur() const;
 
  private:
   /// A surface that a pixel shows.
@@ -79,6 +82,7 @@ class Gatherer {
     int rays = 0;
   };
 
+  float blur_of(const Shown& one) const;
   void find_shown(int x, int y);
   void add_ray(Vec2 place, int ray, float spread);
   /// The mean light of samples of a surface; false where there are none. Each pass takes more of them.

@@ -54,17 +54,52 @@ void add_moved(std::vector<RawSample>& samples, const TracedFrame& now, const Su
     samples.push_back(sample);
 }
 
+/// The rays through a lens are few, so what is far out of focus is grainy. There no detail is finer than the
+/// circle by which a point is blurred: each pixel takes from those around it that are as much out of focus.
+LightPicture smoothed(const LightPicture& picture, const std::vector<float>& blur, int width) {
+  constexpr float kOfBlur = 0.125f, kMost = 2.5f;  // standard deviation, of the blur and in pixels
+  constexpr float kLeast = 0.25f;                  // below which nothing changes
+  constexpr float kAsMuch = 0.5f;                  // of the blur, what those around have at least
+  auto height = static_cast<int>(picture.size()) / width;
+  LightPicture made(picture.size());
+  parallel_for(static_cast<std::size_t>(height), [&](std::size_t row) {
+    for (int x = 0, y = static_cast<int>(row); x < width; ++x) {
+      std::size_t own = row * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+      float sigma = std::min(kOfBlur * blur[own], kMost);
+      made[own] = picture[own];
+      if (sigma < kLeast) continue;
+      int reach = static_cast<int>(std::ceil(2 * sigma));
+      Vec3 sum(0);
+      float weight = 0;
+      for (int j = std::max(0, y - reach); j <= std::min(height - 1, y + reach); ++j)
+        for (int i = std::max(0, x - reach); i <= std::min(width - 1, x + reach); ++i) {
+          auto k = static_cast<std::size_t>(j * width + i);
+          if (blur[k] < kAsMuch * blur[own]) continue;
+          auto away = static_cast<float>((i - x) * (i - x) + (j - y) * (j - y));
+          float w = std::exp(-away / (2 * sigma * sigma));
+          sum += w * picture[k], weight += w;
+        }
+      made[own] = sum / weight;
+    }
+  });
+  return made;
+}
+
 /// The pixels of a band of rows.
 LightPicture gathered(const SampleGrid& grid, const TracedFrame& now, const ResolveOptions& options,
                       RowBand band) {
   auto wide = static_cast<std::size_t>(grid.width()), high = static_cast<std::size_t>(band.count());
   LightPicture picture(wide * high);
+  std::vector<float> blur(picture.size());
   parallel_for(high, [&](std::size_t row) {
     Gatherer gatherer(grid, now, options);
-    for (std::size_t x = 0; x < wide; ++x)
-      picture[row * wide + x] = gatherer.pixel(static_cast<int>(x), band.first + static_cast<int>(row));
+    for (std::size_t x = 0; x < wide; ++x) {
+      std::size_t i = row * wide + x;
+      picture[i] = gatherer.pixel(static_cast<int>(x), band.first + static_cast<int>(row));
+      blur[i] = gatherer.blur();
+    }
   });
-  return picture;
+  return now.lens > 0 ? smoothed(picture, blur, grid.width()) : picture;
 }
 
 }  // namespace
