@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace frond {
 
@@ -69,18 +68,15 @@ float Gatherer::blur_of(const Shown& one) const {
   return now_.blur(at) * static_cast<float>(grid_.width());
 }
 
-float Gatherer::blur() const {
+float Gatherer::blur() {
   constexpr float kFew = 0.04f;  // of all rays
   if (now_.lens == 0) return 0;
-  float rays = 0, least = std::numeric_limits<float>::infinity();
-  for (const Shown& one : shown_) rays += static_cast<float>(one.rays);
-  for (const Shown& one : shown_) {
-    float own = blur_of(one), sharper = 0;
-    for (const Shown& other : shown_)
-      if (blur_of(other) <= own) sharper += static_cast<float>(other.rays);
-    if (sharper > kFew * rays) least = std::min(least, own);
-  }
-  return least;
+  float left = 0;
+  for (const Shown& one : shown_) left += kFew * static_cast<float>(one.rays);
+  std::ranges::sort(shown_, {}, [&](const Shown& one) { return blur_of(one); });
+  for (const Shown& one : shown_)
+    if (left -= static_cast<float>(one.rays); left < 0) return blur_of(one);
+  return 0;
 }
 
 void Gatherer::find_shown(int x, int y) {

@@ -68,7 +68,7 @@ class Gatherer {
   Vec3 pixel(int x, int y);
   /// How wide a point is blurred in the pixel made last, pixels: by what is sharpest of it, but for a few of
   /// its rays. 0 without a lens.
-  float blur() const;
+  float blur();
 
  private:
   /// A surface that a pixel shows.
