@@ -92,7 +92,10 @@ kill_and_resume() {
   kill "-$1" "$running"
   wait "$running" || status=$?
   [ "$status" -eq "$2" ]
-  sleep 1  # no one is left that renders
+  for _ in $(seq 600); do  # until no one is left that renders
+    if ! readlink /proc/[0-9]*/cwd 2>/dev/null | grep -qxF "$PWD/out/long"; then break; fi
+    sleep 0.05
+  done
   # A kill may fall between a picture's coming into its place and its being noted as done; two are rendered at once.
   local finished placed
   finished=$(grep -c 'frames/frame_[0-9]*\.png' out/long/.ninja_log)
