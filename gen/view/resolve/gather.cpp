@@ -61,10 +61,9 @@ void Gatherer::add_ray(Vec2 place, int ray, float spread) {
   if (lit) found->facing += (hit->spot.facing - found->facing) / static_cast<float>(found->rays);
 }
 
-/// Pixels; what is no surface is as far away as any.
+/// Pixels.
 float Gatherer::blur_of(const Shown& one) const {
-  constexpr float kFar = 1e5f;  // metres
-  Vec3 at = one.surface.kind == ThingKind::nothing ? now_.eye.at + kFar * now_.eye.ahead : one.at;
+  Vec3 at = one.surface.kind == ThingKind::nothing ? now_.eye.at + kBackdropAway * now_.eye.ahead : one.at;
   return now_.blur(at) * static_cast<float>(grid_.width());
 }
 

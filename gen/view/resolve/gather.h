@@ -14,6 +14,9 @@ inline Thing surface_of(const Thing& thing) {
   return {thing.kind, thing.owner, own ? thing.number : 0};
 }
 
+/// Metres; how far away what is no surface counts as being.
+constexpr float kBackdropAway = 1e5f;
+
 /// A sample of a raw frame, carried to the frame that is made.
 struct RawSample {
   Vec2 place{0};  ///< in the picture, pixels

@@ -29,14 +29,13 @@ SurfaceSpot backdrop(Vec3 direction) {
 /// Adds a sample of a raw frame where it lies in this one.
 void add_moved(std::vector<RawSample>& samples, const TracedFrame& now, const SurfaceSpot& spot, bool lit,
                Vec3 light, int age, Vec2 size) {
-  constexpr float kFar = 1e5f;  // metres, of the backdrop
   RawSample sample;
   sample.surface = surface_of(spot.thing);
   sample.lit = lit;
   sample.age = age;
   sample.light = light;
   if (spot.thing.kind == ThingKind::nothing) {
-    sample.at = now.eye.at + kFar * spot.own;
+    sample.at = now.eye.at + kBackdropAway * spot.own;
     sample.normal = -spot.own;
   } else if (std::optional<PlaceNormal> here = now.where(spot)) {
     sample.at = here->at;
