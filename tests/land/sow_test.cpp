@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 namespace frond {
 namespace {
@@ -62,6 +63,28 @@ TEST(Sow, InTheColdPlantsAreSmallerAndFewer) {
   EXPECT_GT(count[1], count[2]);
   EXPECT_GT(count[2], count[3]);
   EXPECT_GT(count[3], 0);
+}
+
+TEST(Sow, CropsStandInTheirRowsAndMissTheirGaps) {
+  Land land;
+  land.size = 40;
+  SowOrder order = order_of(4000, 0.08, Layer::herbs);
+  order.rules.rows = CropRows{.spacing = 0.8, .turn = 0.5, .wander = 0.05, .gaps = 0, .gap = 1};
+  Vec2 along(std::sin(0.5f), std::cos(0.5f)), across(along.y, -along.x);
+  auto stretches = [&](double gaps) {
+    order.rules.rows->gaps = gaps;
+    std::vector<Sprout> sprouts = sow(std::span(&order, 1), land)[0];
+    EXPECT_EQ(sprouts.size(), 4000u);
+    std::set<std::pair<double, double>> found;
+    for (const Sprout& s : sprouts) {
+      double aside = glm::dot(s.at, across) / 0.8, row = std::round(aside);
+      EXPECT_LE(std::abs(aside - row) * 0.8, 0.05 + 1e-4);
+      found.emplace(row, std::floor(glm::dot(s.at, along)));
+    }
+    return static_cast<double>(found.size());
+  };
+  double all = stretches(0);
+  EXPECT_NEAR(stretches(0.3) / all, 0.7, 0.06);
 }
 
 TEST(Sow, SmallPlantsOfTheColdStandCloser) {

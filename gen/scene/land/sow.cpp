@@ -51,6 +51,17 @@ double grown_at(const Land& land, const SowRules& rules, Vec2 at) {
   return std::lerp(rules.warmth->dwarf, 1.0, warm_share(*rules.warmth, land.altitude(at)));
 }
 
+/// A place moved to the nearest of the rows; nothing in a gap.
+std::optional<Vec2> in_row(const CropRows& rows, Vec2 at, Seed rows_seed, Seed own) {
+  Vec2 along(std::sin(rows.turn), std::cos(rows.turn)), across(along.y, -along.x);
+  double row = std::round(glm::dot(at, across) / rows.spacing), length = glm::dot(at, along);
+  auto number = [](double whole) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(whole)); };
+  Seed stretch = rows_seed.child("gap", number(row)).child(number(std::floor(length / rows.gap)));
+  if (stretch.unit() < rows.gaps) return {};
+  double aside = row * rows.spacing + rows.wander * own.child("aside").range(-1, 1);
+  return static_cast<float>(aside) * across + static_cast<float>(length) * along;
+}
+
 /// Where a plant of a size in the warmth finds room, if it does.
 std::optional<Vec2> find_room(const Field& field, const Suitability& likings, const SowOrder& order, Seed own,
                               double warm_size) {
@@ -58,6 +69,11 @@ std::optional<Vec2> find_room(const Field& field, const Suitability& likings, co
   for (std::uint64_t i = 0; i < kDarts; ++i) {
     Seed toss = own.child("dart").child(i);
     Suitability::Dart dart = likings.dart(toss);
+    if (order.rules.rows) {
+      std::optional<Vec2> place = in_row(*order.rules.rows, dart.at, order.seed, toss);
+      if (!place) continue;
+      dart.at = *place;
+    }
     double size = warm_size * grown_at(field.land, order.rules, dart.at);
     if (!field.free(dart.at, order.rules.radius * size, order.rules.stem * size, layer_of(order))) continue;
     if (likings(dart.at) > dart.likely * toss.child(3).unit()) return dart.at;

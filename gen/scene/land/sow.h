@@ -30,6 +30,15 @@ struct Warmth {
 /// warm .. 0 where it is too cold.
 double warm_share(const Warmth& warmth, double altitude);
 
+/// Straight rows, as a drill sows them and a farmer plants: plants stand in them only.
+struct CropRows {
+  double spacing = 0.7;  ///< metres from row to row, > 0
+  double turn = 0;       ///< radians about the vertical; at 0 they run along z
+  double wander = 0.03;  ///< metres that plants stand beside the middle of their row, at most
+  double gaps = 0;       ///< share of the rows where nothing came up
+  double gap = 0.5;      ///< metres, length of a gap, > 0
+};
+
 /// Where plants of one kind grow. Limits of altitude, slope, shade and clumps are soft: plants become fewer
 /// toward them, with none beyond.
 struct SowRules {
@@ -41,6 +50,7 @@ struct SowRules {
   double slope = 0.7;            ///< radians, steepest
   double patch = 0;              ///< metres from clump to clump; 0: evenly
   double cover = 1;              ///< share of the land that its clumps cover
+  std::optional<CropRows> rows;  ///< none: all over the land
   Vec2 shade{0, 1};              ///< share of the sky hidden by crowns of higher layers, least and most
   double clear = 0.5;            ///< metres from its foot to the edge of a path, at least
   Vec2 center{0};                ///< x, z in metres

@@ -48,6 +48,17 @@ void describe(Properties& v, Warmth& w) {
   v.number("dwarf", w.dwarf, {.min = 0.01, .max = 1}, "Factor of the size of copies at that temperature");
 }
 
+void describe(Properties& v, CropRows& r) {
+  v.number("spacing", r.spacing, {.min = 0.01, .max = 1000, .unit = "m"},
+           "Distance from one row to the next");
+  v.angle("turn", r.turn, {.min = -180, .max = 180},
+          "Turn of the rows about the vertical; at 0 they run along z");
+  v.number("wander", r.wander, metres(0, 100),
+           "Distance that plants stand beside the middle of their row, at most");
+  v.number("gaps", r.gaps, kShare, "Share of the rows where nothing came up");
+  v.number("gap", r.gap, {.min = 0.01, .max = 1000, .unit = "m"}, "Length of a gap");
+}
+
 void describe(Properties& v, SowRules& s) {
   v.choice("layer", s.layer, kLayers,
            "Layer of the wood that copies belong to; crowns of one layer keep apart, those of different "
@@ -65,6 +76,8 @@ void describe(Properties& v, SowRules& s) {
   v.number("patch", s.patch, metres(0, 10000),
            "Distance from one clump to the next; 0 spreads copies evenly");
   v.number("cover", s.cover, kShare, "Share of the land that clumps cover. Needs a patch above 0");
+  v.object("rows", s.rows,
+           "Straight rows that copies stand in, as crops do; not given: all over the land. Bodies have none");
   v.vector("shade", s.shade, kShare, "Least and greatest share of the sky that crowns above may hide");
   v.number("clear", s.clear, metres(-100, 1000),
            "Distance that copies keep from the edge of a path; negative lets them stand on it");
